@@ -73,7 +73,8 @@ static const char *command_name(size_t i)
 }
 
 /* Number of single-letter edits (insert, delete, replace) from a to b: Levenshtein's distance, one
- * row of the table at a time. Words of over 31 letters are no typing errors: they are simply far. */
+ * row of the table at a time. Words of over 31 letters are no typing errors: they are simply
+ * far. */
 static size_t edit_distance(const char *a, const char *b)
 {
     enum { LONGEST = 31 };

@@ -7,8 +7,8 @@
 /* The program's help. */
 void commands_help(FILE *file);
 
-/* Runs the subcommand of a name, of a technique or one of apps/commands/commands.h, whose second word may be argv[1];
- * the words of its name are replaced.
+/* Runs the subcommand of a name, of a technique or one of apps/commands/commands.h, whose second
+ * word may be argv[1]; the words of its name are replaced.
  * returns the program's exit code; EXIT_USAGE, after a message, where there is none of this name */
 int commands_run(const char *name, int argc, char **argv);
 

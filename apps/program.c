@@ -52,8 +52,8 @@ static void end_without_memory(void)
     _exit(report(EXIT_INTERNAL, "no memory"));
 }
 
-/* Objects of JSON are made member by member in many places; one that lacks members must never pass for
- * whole. */
+/* Objects of JSON are made member by member in many places; one that lacks members must never pass
+ * for whole. */
 static void *json_memory(size_t size)
 {
     void *memory = malloc(size);
@@ -78,8 +78,8 @@ void program_set_last_words(void (*say)(int number))
     last_words = say;
 }
 
-/* Ends the program as the signal would have, with no file left half made. Whoever sends one may send
- * more, and another thread may be given them: the first is seen to its end. */
+/* Ends the program as the signal would have, with no file left half made. Whoever sends one may
+ * send more, and another thread may be given them: the first is seen to its end. */
 static void end_by_signal(int number)
 {
     static atomic_flag is_ending = ATOMIC_FLAG_INIT;

@@ -98,8 +98,8 @@ static int widest_lanes(void)
     return lanes;
 }
 
-/* The width that was forced, else the widest. The reference executor works on single quads, gains nothing from
- * wider code, and takes the narrowest. */
+/* The width that was forced, else the widest. The reference executor works on single quads, gains
+ * nothing from wider code, and takes the narrowest. */
 static int first_choice(const GpDevice *device)
 {
     return device->forced_lanes ? device->forced_lanes : device->fast ? widest_lanes() : 4;

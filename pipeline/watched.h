@@ -1,5 +1,6 @@
-/* Lists that are watched at speed. Of each pass, the units of the reference executor draw the quads that have a
- * pixel which is told of; what they drew is taken back, and the fast executor draws everything. */
+/* Lists that are watched at speed. Of each pass, the units of the reference executor draw the quads
+ * that have a pixel which is told of; what they drew is taken back, and the fast executor draws
+ * everything. */
 #ifndef GP_WATCHED_H
 #define GP_WATCHED_H
 

@@ -37,7 +37,8 @@ typedef struct CameraAxes {
 
 CameraAxes camera_axes(const Camera *camera, double aspect);
 
-/* Moves the eye round `at`, about the direction `up`: seen from above, degrees against the clock's turn. */
+/* Moves the eye round `at`, about the direction `up`: seen from above, degrees against the clock's
+ * turn. */
 void camera_turn(Camera *camera, double degrees);
 
 void matrix_identity(double m[4][4]);

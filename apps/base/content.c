@@ -18,8 +18,8 @@ uint64_t content_hash_bytes(const void *bytes, size_t size, uint64_t seed)
 
 /* --- inputs ----------------------------------------------------------------------------------- */
 
-/* Files read so far, by the hash of their path: one that is named again counts by its number, so that files
- * which name each other, and themselves, many times are read once. */
+/* Files read so far, by the hash of their path: one that is named again counts by its number, so
+ * that files which name each other, and themselves, many times are read once. */
 typedef struct Files {
     uint64_t path[MOST_FILES];
     uint32_t count;
@@ -94,7 +94,8 @@ typedef struct OwnCode {
     uint64_t hash;
 } OwnCode;
 
-/* Copies bytes by loads that a sanitizer does not watch: its guards lie between a module's constants. */
+/* Copies bytes by loads that a sanitizer does not watch: its guards lie between a module's
+ * constants. */
 __attribute__((no_sanitize("address"))) static void
 copy_unwatched(uint8_t *to, const volatile uint8_t *from, size_t size)
 {

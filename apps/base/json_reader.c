@@ -16,7 +16,7 @@ enum {
     MAX_MEMBERS = 64, /* bits in Node.read */
 };
 
-/* --- messages -------------------------------------------------------------------------------- */
+/* --- messages --------------------------------------------------------------------------------- */
 
 /* The steps from the root to a node; returns their number. */
 static int path_of(const Node *node, JsonStep steps[MAX_DEPTH])
@@ -61,7 +61,7 @@ void node_fail(const Node *node, GpResult result, const char *format, ...)
                              count ? ": " : "", message);
 }
 
-/* --- files ----------------------------------------------------------------------------------- */
+/* --- files ------------------------------------------------------------------------------------ */
 
 /* Reads on into more room; false without memory. */
 static bool read_more(Reader *reader, FILE *file, size_t room)
@@ -95,7 +95,8 @@ static GpResult read_text(Reader *reader, FILE *file)
     return GP_OK;
 }
 
-/* A byte-order mark is allowed before JSON, and nothing that one would see (RFC 8259, section 8.1). */
+/* A byte-order mark is allowed before JSON, and nothing that one would see (RFC 8259, section
+ * 8.1). */
 static void skip_byte_order_mark(Reader *reader)
 {
     if (reader->length < 3 || memcmp(reader->text, "\xef\xbb\xbf", 3) != 0)
@@ -150,7 +151,7 @@ Node node_root(Reader *reader)
     return (Node){ .reader = reader, .value = reader->root, .schema = reader->schema };
 }
 
-/* --- objects and arrays ---------------------------------------------------------------------- */
+/* --- objects and arrays ----------------------------------------------------------------------- */
 
 /* Whether a value is there and of the right type; a failure where it is there and is not. */
 static bool expect(const Node *node, bool right, const char *what)
@@ -323,7 +324,7 @@ void node_examples(const Node *node, const char *prefix, const char *(*name)(siz
     json_object_set_new(schema_type(node->schema, "string"), "examples", list);
 }
 
-/* --- values ---------------------------------------------------------------------------------- */
+/* --- values ----------------------------------------------------------------------------------- */
 
 double node_double(Node node, double fallback, double low, double high)
 {

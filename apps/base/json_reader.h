@@ -3,13 +3,14 @@
  *
  * Reading never stops half way: the first mistake is kept in the reader, later ones are dropped,
  * and every function then returns its fallback. So a loader reads straight on and asks once, at the
- * end or before it needs a value to be right. Nodes are small and live on the stack; an object's or an
- * array's node is what those of its members and elements point to, and must outlive them.
+ * end or before it needs a value to be right. Nodes are small and live on the stack; an object's or
+ * an array's node is what those of its members and elements point to, and must outlive them.
  *
- * The same code tells what it would read: with a reader that describes (reader_describe), values are
- * nowhere, each function writes what it was asked for into a JSON Schema and gives its fallback, and
- * nothing fails. So the schema of a format is what its reader says of itself. Where a reader branches
- * on what is there, both sides hold while it describes: see node_exists and node_is.
+ * The same code tells what it would read: with a reader that describes (reader_describe), values
+ * are nowhere, each function writes what it was asked for into a JSON Schema and gives its
+ * fallback, and nothing fails. So the schema of a format is what its reader says of itself. Where a
+ * reader branches on what is there, both sides hold while it describes: see node_exists and
+ * node_is.
  */
 #ifndef APPS_BASE_JSON_READER_H
 #define APPS_BASE_JSON_READER_H
@@ -54,7 +55,7 @@ Node node_root(Reader *reader);
 void node_fail(const Node *node, GpResult result, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* --- objects and arrays ---------------------------------------------------------------------- */
+/* --- objects and arrays ----------------------------------------------------------------------- */
 
 /* A member; its value is NULL where the object has none or is not there itself. A value of another
  * type than object: failure. */
@@ -83,8 +84,8 @@ bool node_is_false(const Node *node); /* there, and the word false */
 /* Fails where the value is not there. */
 void node_require(const Node *node);
 
-/* Fails with "expected A or B" unless exactly one of several members of an object is there, whose nodes
- * these are. */
+/* Fails with "expected A or B" unless exactly one of several members of an object is there, whose
+ * nodes these are. */
 void node_one_of(const Node *const members[], size_t count, const char *expected);
 
 /* --- for the description alone ---------------------------------------------------------------- */
@@ -101,7 +102,7 @@ void node_without_default(const Node *node);
 /* Names that a text may be, among others, each behind a prefix; name(i) is NULL behind the last. */
 void node_examples(const Node *node, const char *prefix, const char *(*name)(size_t i));
 
-/* --- values; each gives `fallback` where the value is not there ------------------------------ */
+/* --- values; each gives `fallback` where the value is not there ------------------------------- */
 
 double node_double(Node node, double fallback, double low, double high);
 float node_number(Node node, float fallback, float low, float high);
@@ -112,7 +113,8 @@ const char *node_string(Node node, const char *fallback);
 /* Index of one of `count` names. */
 int node_name(Node node, int fallback, const char *const *names, int count);
 
-/* The same of a member, as an enumeration that counts from 0; it stays as it is where there is none. */
+/* The same of a member, as an enumeration that counts from 0; it stays as it is where there is
+ * none. */
 void node_enum(Node *object, const char *key, const char *const *names, int count, void *value);
 
 /* Exactly `count` numbers; `values` stay as they are where there is none. */

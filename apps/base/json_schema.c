@@ -59,7 +59,7 @@ json_t *schema_define(json_t *schema, json_t *definitions, const char *name)
     return part(definitions, name, json_object);
 }
 
-/* --- objects and arrays ------------------------------------------------------------------------ */
+/* --- objects and arrays ----------------------------------------------------------------------- */
 
 json_t *schema_member(json_t *schema, const char *key)
 {
@@ -108,7 +108,7 @@ void schema_length(json_t *schema, size_t least, size_t most)
         json_object_set_new(array, "maxItems", json_integer((json_int_t)most));
 }
 
-/* --- values ------------------------------------------------------------------------------------ */
+/* --- values ----------------------------------------------------------------------------------- */
 
 /* As it was written: a float has seven digits. */
 static json_t *number(double value)

@@ -4,7 +4,8 @@
 
 #include "pipeline/base/base.h"
 
-/* Numbers the places of vertices from 0 on, by x, then y, then z; vertices at the same place have one number.
+/* Numbers the places of vertices from 0 on, by x, then y, then z; vertices at the same place have
+ * one number.
  * in     positions: finite
  * out    place_of: [vertex_count]
  * errors GP_ERROR_MEMORY */

@@ -34,8 +34,8 @@ static void find_axes(const Orbit *orbit, double axes[3][3])
             axes[a][k] = own[a][0] * turn[0][k] + own[a][1] * turn[1][k] + own[a][2] * turn[2][k];
 }
 
-/* The angle of view at which a picture is larger by a factor, by bisection: the C library's arc tangent
- * has other bits elsewhere. */
+/* The angle of view at which a picture is larger by a factor, by bisection: the C library's arc
+ * tangent has other bits elsewhere. */
 static double zoom_angle(double angle, double zoom)
 {
     double sine, cosine, low = 0, high = 180;

@@ -1,5 +1,5 @@
-/* Pages of HTML that hold all they need: style and pictures inside, light or dark as the reader has it,
- * nothing from a network. */
+/* Pages of HTML that hold all they need: style and pictures inside, light or dark as the reader has
+ * it, nothing from a network. */
 #ifndef APPS_BASE_PAGE_H
 #define APPS_BASE_PAGE_H
 

@@ -12,7 +12,8 @@ typedef struct Polynomial {
 } Polynomial;
 
 /* Reads text such as "x^4 - 5x^2 + 11.8", "(x^2 + 9/4 y^2 - 1)^3 = x^2 z^3": sums, products (with
- * or without *), quotients by numbers, whole powers, brackets. What stands right of = is taken away.
+ * or without *), quotients by numbers, whole powers, brackets. What stands right of = is taken
+ * away.
  * errors GP_ERROR_INVALID, with the column, what was expected and what is there */
 GpResult polynomial_parse(const char *text, Polynomial *polynomial, GpError *error);
 

@@ -1,5 +1,5 @@
-/* Where a body is for a camera: how far away, and on which pixels. Of a body its box is known, or what
- * else lies between eight corners. */
+/* Where a body is for a camera: how far away, and on which pixels. Of a body its box is known, or
+ * what else lies between eight corners. */
 #ifndef APPS_BASE_REACH_H
 #define APPS_BASE_REACH_H
 
@@ -10,7 +10,8 @@
 bool reach_find(double corners[8][3], const Camera *camera, const CameraAxes *axes,
                 double reach[2]);
 
-/* Pixels that it is on, and one around; all, where it is not wholly before the eye. May be empty. */
+/* Pixels that it is on, and one around; all, where it is not wholly before the eye. May be
+ * empty. */
 GpRect reach_rect(double corners[8][3], const Camera *camera, const CameraAxes *axes,
                   uint32_t width, uint32_t height);
 

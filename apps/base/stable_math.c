@@ -8,7 +8,7 @@
 /* ln 2 in two parts: products of the first with whole numbers of up to 11 bits are exact. */
 static const double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33;
 
-/* --- side by side ------------------------------------------------------------------------------- */
+/* --- side by side ----------------------------------------------------------------------------- */
 
 /* Pairs that are worked on in turns: one, or as many as a colour has channels. */
 enum { MOST = 3 };
@@ -37,8 +37,9 @@ GP_INLINE void exp_of_rest(int count, const StablePair *x, StablePair *sum, Stab
         EACH sum[k] = 1 + sum[k] * r[k] / (double)i;
 }
 
-/* ln(2^e m) for m in [1/2, 1]: of [sqrt 1/2, sqrt 2] it is made first; ln m = 2 artanh z, z = (m - 1) / (m + 1), by
- * its series: z^2 < 0.0295, so that the first term left out is below 2^-58 of the sum. */
+/* ln(2^e m) for m in [1/2, 1]: of [sqrt 1/2, sqrt 2] it is made first; ln m = 2 artanh z, z = (m -
+ * 1) / (m + 1), by its series: z^2 < 0.0295, so that the first term left out is below 2^-58 of the
+ * sum. */
 GP_INLINE void log_of_parts(int count, const StablePair *m, const StablePairBits *e,
                             StablePair *log)
 {
@@ -93,7 +94,7 @@ void stable_pow_pairs(const StablePair x[3], double y, StablePair power[3])
     pow_of_pairs(3, x, same, power);
 }
 
-/* --- alone -------------------------------------------------------------------------------------- */
+/* --- alone ------------------------------------------------------------------------------------ */
 
 double stable_exp(double x)
 {
@@ -130,10 +131,10 @@ double stable_pow(double x, double y)
     return x == 0 && y > 0 ? 0 : stable_exp(y * stable_log(x));
 }
 
-/* --- angles ------------------------------------------------------------------------------------- */
+/* --- angles ----------------------------------------------------------------------------------- */
 
-/* atan t for t in [0, 1]: above tan(pi / 8) as pi / 4 + atan((t - 1) / (t + 1)); by its series, in which
- * t^2 <= 0.1716, so that the first term left out is below 2^-57 of the sum. */
+/* atan t for t in [0, 1]: above tan(pi / 8) as pi / 4 + atan((t - 1) / (t + 1)); by its series, in
+ * which t^2 <= 0.1716, so that the first term left out is below 2^-57 of the sum. */
 static double atan_of_share(double t)
 {
     const double quarter = 0x1.921fb54442d18p-1;

@@ -40,13 +40,13 @@ void moments_mean(const Moments *moments, double mean[3]);
 Symmetric moments_covariance(const Moments *moments);
 
 /* A direction of about the largest spread, unit length; x where there is none. Much quicker than
- * all eigenvectors: the matrix to its 64th power, whose largest column is one but for the 64th power
- * of the ratio of the two largest eigenvalues. */
+ * all eigenvectors: the matrix to its 64th power, whose largest column is one but for the 64th
+ * power of the ratio of the two largest eigenvalues. */
 void symmetric_long_axis(const Symmetric *matrix, double axis[3]);
 
 /* Eigenvalues, largest first, and their vectors: orthonormal, right-handed.
- * source cyclic Jacobi rotations (Golub and Van Loan, "Matrix computations", 8.5), until what is off
- *        the diagonal is 0 in double, or 16 sweeps */
+ * source cyclic Jacobi rotations (Golub and Van Loan, "Matrix computations", 8.5), until what is
+ *        off the diagonal is 0 in double, or 16 sweeps */
 void symmetric_eigen(const Symmetric *matrix, double values[3], double vectors[3][3]);
 
 #endif

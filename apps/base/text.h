@@ -13,8 +13,8 @@ typedef struct Text {
 
 void text_add(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* For the content and the quoted attributes of XML and HTML: what stands for %s is escaped, & < > " ',
- * and control characters, which XML cannot hold, become spaces.
+/* For the content and the quoted attributes of XML and HTML: what stands for %s is escaped, & < > "
+ * ', and control characters, which XML cannot hold, become spaces.
  * in   format: with %s %d %u %f %g, their width and precision, and %% */
 void text_add_escaped(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

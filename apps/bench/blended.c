@@ -10,7 +10,7 @@
 /* Front to back: what is there hides what comes. Colours are multiplied by alpha. */
 static const GpBlend under_blend = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE };
 
-/* --- points -------------------------------------------------------------------------------------- */
+/* --- points ----------------------------------------------------------------------------------- */
 
 /* A spiral on the unit sphere, from top to bottom in equal steps, turning by the golden angle. */
 static const float *sphere_positions(Frame *frame)
@@ -48,7 +48,7 @@ GpResult bench_build_points(const BenchCase *bench, Frame *frame, GpError *error
     return frame_result(frame, error);
 }
 
-/* --- sheets -------------------------------------------------------------------------------------- */
+/* --- sheets ----------------------------------------------------------------------------------- */
 
 /* The points of all sheets, front sheet first. A sheet is a shaken grid of 64 by 64, widest in the
  * centre; z is the value, waves that move from sheet to sheet. */
@@ -95,7 +95,7 @@ GpResult bench_build_sheets(const BenchCase *bench, Frame *frame, GpError *error
     return frame_result(frame, error);
 }
 
-/* --- depth peeling ------------------------------------------------------------------------------- */
+/* --- depth peeling ---------------------------------------------------------------------------- */
 
 /* Teapot i of 8, each within the one before it and turned against it. */
 static PeelUniforms peel_model(int i)

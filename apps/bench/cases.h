@@ -3,8 +3,8 @@
  *
  * A case is built once into a list and then run again and again; each run clears what it draws to.
  * All cases but the last, of voxelization, draw what their namesakes of the peer programs draw: the
- * same triangles to the same pixels with the same arithmetic, in this project's spaces (0 <= z <= w,
- * rows from the top).
+ * same triangles to the same pixels with the same arithmetic, in this project's spaces (0 <= z <=
+ * w, rows from the top).
  */
 #ifndef APPS_BENCH_CASES_H
 #define APPS_BENCH_CASES_H
@@ -51,7 +51,7 @@ void bench_show(const Frame *frame, uint8_t *rgba);
 /* FNV-1a, 32 bits, of a picture with its rows taken from the bottom up, as the peers do. */
 uint32_t bench_picture_hash(const uint8_t *rgba, uint32_t width, uint32_t height);
 
-/* --- builders: each may serve several cases ----------------------------------------------------- */
+/* --- builders: each may serve several cases --------------------------------------------------- */
 
 typedef GpResult BenchBuild(const BenchCase *bench, Frame *frame, GpError *error);
 

@@ -41,7 +41,7 @@ GpPass *bench_pass(Frame *frame, const char *name, GpFormat format)
     return frame_pass(frame, name, frame->color, frame->depth, bench_background);
 }
 
-/* --- quads --------------------------------------------------------------------------------------- */
+/* --- quads ------------------------------------------------------------------------------------ */
 
 void bench_corner_color(int quad, int corner, BenchCorner *out)
 {
@@ -106,7 +106,7 @@ GpGeometry bench_quads(Frame *frame, int count, GpSemantic semantic, BenchCorner
     return geometry;
 }
 
-/* --- textures ------------------------------------------------------------------------------------ */
+/* --- textures --------------------------------------------------------------------------------- */
 
 static void set_texel(const GpSurface *surface, uint32_t x, uint32_t y, const uint32_t rgba[4])
 {

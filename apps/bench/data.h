@@ -15,7 +15,7 @@ void bench_matrix(const Camera *camera, double world[4][4], float clip[4][4]);
 /* A pass that clears the frame's picture, of this format, and its depth buffer, which it makes. */
 GpPass *bench_pass(Frame *frame, const char *name, GpFormat format);
 
-/* --- full-screen quads --------------------------------------------------------------------------- */
+/* --- full-screen quads ------------------------------------------------------------------------ */
 
 /* A corner comes with its position in clip space: x and y -1 or 1, z 1/2. */
 typedef struct BenchCorner {
@@ -33,7 +33,7 @@ BenchCornerFn bench_corner_rotated; /* turned by 30 degrees, 1.7 times larger, a
 /* Quads one over the other, two triangles each; semantic: GP_COLOR or GP_TEXCOORD0. */
 GpGeometry bench_quads(Frame *frame, int count, GpSemantic semantic, BenchCornerFn *fill);
 
-/* --- data ---------------------------------------------------------------------------------------- */
+/* --- data ------------------------------------------------------------------------------------- */
 
 /* A well mixed 32-bit number. */
 uint32_t bench_hash(uint32_t x);
@@ -47,7 +47,7 @@ GpSurface *bench_noise(Frame *frame, bool mips);
 /* 64x64, A8R8G8B8: waves in red and green, u and v in blue and alpha. */
 GpSurface *bench_waves(Frame *frame);
 
-/* --- meshes: positions and normals --------------------------------------------------------------- */
+/* --- meshes: positions and normals ------------------------------------------------------------ */
 
 /* A file's mesh, moved and scaled so that its box is centred and its longest side is 2.
  * errors those of gp_data_find and gp_mesh_read; GP_ERROR_FORMAT where the counts are others */
@@ -63,7 +63,7 @@ GpGeometry bench_plane(void);
 /* Points, positions only, 3 floats each. */
 GpGeometry bench_points(const float *positions, uint32_t count);
 
-/* --- constants of the peers' workloads ------------------------------------------------------------ */
+/* --- constants of the peers' workloads -------------------------------------------------------- */
 
 /* clang-format off */
 #define BENCH_LIGHT      { 0.557086f, 0.742781f, 0.371391f } /* (3, 4, 2), unit length */

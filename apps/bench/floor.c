@@ -18,7 +18,7 @@ static double least(double a, double b)
     return a < b ? a : b;
 }
 
-/* --- bytes -------------------------------------------------------------------------------------- */
+/* --- bytes ------------------------------------------------------------------------------------ */
 
 static double surface_bytes(const GpSurface *surface, uint32_t levels)
 {
@@ -72,7 +72,7 @@ static double texture_bytes(const GpDraw *draw, double fragments)
     return bytes;
 }
 
-/* --- passes ------------------------------------------------------------------------------------- */
+/* --- passes ----------------------------------------------------------------------------------- */
 
 static GpCounters counted_since(const GpDevice *device, const GpCounters *before)
 {

@@ -15,9 +15,9 @@ typedef struct BenchFloor {
     double ms;
 } BenchFloor;
 
-/* Finds it by running each pass once more by itself, and all of them once by the reference executor where
- * triangles are many and fragments few: which triangles are drawn only that one tells; elsewhere all
- * count.
+/* Finds it by running each pass once more by itself, and all of them once by the reference executor
+ * where triangles are many and fragments few: which triangles are drawn only that one tells;
+ * elsewhere all count.
  * in   list: was run before, and is not looked at any more: what its targets hold is lost
  * errors those of gp_device_run */
 GpResult bench_floor_find(GpDevice *device, const BenchRates *rates, const GpList *list,

@@ -1,4 +1,5 @@
-/* Benchmark cases of meshes of which all fragments count: three scans, and spheres 96 layers deep. */
+/* Benchmark cases of meshes of which all fragments count: three scans, and spheres 96 layers
+ * deep. */
 #include "apps/bench/cases.h"
 #include "apps/bench/made.h"
 #include "apps/techniques/fragments/report.h"

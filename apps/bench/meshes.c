@@ -23,7 +23,7 @@ static GpGeometry mesh_of(const BenchVertex *vertices, uint32_t vertex_count,
     };
 }
 
-/* --- models -------------------------------------------------------------------------------------- */
+/* --- models ----------------------------------------------------------------------------------- */
 
 /* Centres the box of all vertices and makes its longest side 2. In binary32, as the peers do. */
 static void normalize(GpMesh *mesh)
@@ -79,7 +79,7 @@ GpResult bench_model(Frame *frame, const char *name, uint32_t vertices, uint32_t
     return result;
 }
 
-/* --- procedural ---------------------------------------------------------------------------------- */
+/* --- procedural ------------------------------------------------------------------------------- */
 
 GpGeometry bench_torus(Frame *frame, int around, int across)
 {

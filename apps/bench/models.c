@@ -27,7 +27,7 @@ static GpGeometry big_torus(Frame *frame)
     return bench_torus(frame, 1000, 500);
 }
 
-/* --- one mesh ------------------------------------------------------------------------------------ */
+/* --- one mesh --------------------------------------------------------------------------------- */
 
 static const Camera *camera_of(const BenchCase *bench)
 {
@@ -113,7 +113,7 @@ GpResult bench_build_maps(const BenchCase *bench, Frame *frame, GpError *error)
     return frame_result(frame, error);
 }
 
-/* --- shadows ------------------------------------------------------------------------------------- */
+/* --- shadows ---------------------------------------------------------------------------------- */
 
 static const Camera shadow_camera = { .eye = { 1.2, 1.6, 4.2 },
                                       .at = { 0, -0.2, 0 },
@@ -172,7 +172,7 @@ GpResult bench_build_shadow(const BenchCase *bench, Frame *frame, GpError *error
     return frame_result(frame, error);
 }
 
-/* --- many small draws ---------------------------------------------------------------------------- */
+/* --- many small draws ------------------------------------------------------------------------- */
 
 static const Camera small_camera = {
     .eye = { 0, 0, 3.6 }, .up = { 0, 1, 0 }, .height = 2, .near = 0.5, .far = 10
@@ -204,7 +204,7 @@ GpResult bench_build_small(const BenchCase *bench, Frame *frame, GpError *error)
     return frame_result(frame, error);
 }
 
-/* --- slabs of voxels -------------------------------------------------------------------------------------- */
+/* --- slabs of voxels -------------------------------------------------------------------------- */
 
 static const Camera voxel_camera = {
     .eye = { 0, 0, 1.15 }, .up = { 0, 1, 0 }, .height = 2.6, .near = 0.5, .far = 1.8

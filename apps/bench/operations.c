@@ -4,11 +4,12 @@
 #include "pipeline/shader/counts.h"
 #include "pipeline/shader/steps.h"
 
-/* --- shaders ----------------------------------------------------------------------------------- */
+/* --- shaders ---------------------------------------------------------------------------------- */
 
 enum { QUAD = 4 };
 
-/* Operations of one component of a result, least of all that would do; of dot products, of all of it. */
+/* Operations of one component of a result, least of all that would do; of dot products, of all of
+ * it. */
 static double operations_of(const GpShaderStep *step)
 {
     switch (step->code) {
@@ -110,7 +111,7 @@ static double shader_operations(const GpDraw *draw, bool vertex)
     return sum;
 }
 
-/* --- fixed units ------------------------------------------------------------------------------- */
+/* --- fixed units ------------------------------------------------------------------------------ */
 
 enum {
     WEIGHTS = 9,        /* two edges, their shares of the area, one division */

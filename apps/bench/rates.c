@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/* --- drawing ------------------------------------------------------------------------------------ */
+/* --- drawing ---------------------------------------------------------------------------------- */
 
 enum {
     SIDE = 512,
@@ -110,7 +110,7 @@ GpResult bench_rates_measure(GpDevice *device, BenchRates *rates, GpError *error
     return result ? result : measure_triangles(device, &rates->triangles, error);
 }
 
-/* --- bytes -------------------------------------------------------------------------------------- */
+/* --- bytes ------------------------------------------------------------------------------------ */
 
 enum { PIECE = 16 << 10, TRAFFIC_ROUNDS = 5 };
 

@@ -14,8 +14,8 @@ typedef struct BenchRates {
  * errors those of gp_device_run */
 GpResult bench_rates_measure(GpDevice *device, BenchRates *rates, GpError *error);
 
-/* Milliseconds in which so many threads read and write so many bytes that lie where those of a frame lie that
- * is drawn again and again: in the nearest caches that hold all of them.
+/* Milliseconds in which so many threads read and write so many bytes that lie where those of a
+ * frame lie that is drawn again and again: in the nearest caches that hold all of them.
  * errors GP_ERROR_MEMORY */
 GpResult bench_traffic_ms(int threads, size_t read, size_t written, double *ms, GpError *error);
 

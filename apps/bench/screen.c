@@ -7,7 +7,7 @@
 #include "shaders_c/bench/mandelbrot.h"
 #include "shaders_c/bench/scaled_color.h"
 
-/* --- fill ---------------------------------------------------------------------------------------- */
+/* --- fill ------------------------------------------------------------------------------------- */
 
 static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
 
@@ -43,7 +43,7 @@ GpResult bench_build_fill(const BenchCase *bench, Frame *frame, GpError *error)
     return frame_result(frame, error);
 }
 
-/* --- textures ------------------------------------------------------------------------------------ */
+/* --- textures --------------------------------------------------------------------------------- */
 
 GpResult bench_build_texture(const BenchCase *bench, Frame *frame, GpError *error)
 {
@@ -85,7 +85,7 @@ GpResult bench_build_lookup(const BenchCase *bench, Frame *frame, GpError *error
     return frame_result(frame, error);
 }
 
-/* --- arithmetic ---------------------------------------------------------------------------------- */
+/* --- arithmetic ------------------------------------------------------------------------------- */
 
 GpResult bench_build_arithmetic(const BenchCase *bench, Frame *frame, GpError *error)
 {

@@ -1,5 +1,5 @@
-/* Benchmark cases of points: the bunny's vertices as surfels, with waves of colour over them that no
- * light changes; a larger model; and a scan. */
+/* Benchmark cases of points: the bunny's vertices as surfels, with waves of colour over them that
+ * no light changes; a larger model; and a scan. */
 #include "apps/bench/cases.h"
 #include "apps/bench/made.h"
 #include "apps/techniques/points/technique.h"

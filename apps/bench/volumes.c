@@ -1,4 +1,5 @@
-/* Benchmark cases of volumes: three of them, each under a transfer function of its own, from one place. */
+/* Benchmark cases of volumes: three of them, each under a transfer function of its own, from one
+ * place. */
 #include "apps/bench/made.h"
 #include "apps/base/machine.h"
 #include "apps/bench/cases.h"
@@ -13,7 +14,8 @@ enum { SIDE = 512 };
 #define BONSAI "volumes/bonsai.raw.gz", "bonsai"
 #define ENGINE "volumes/engine.raw.gz", "engine"
 
-/* Rays with steps as long as leaves them nearer to the truth than other renderers' that people use. */
+/* Rays with steps as long as leaves them nearer to the truth than other renderers' that people
+ * use. */
 static const struct {
     const char *path, *transfer, *options;
 } cases[] = {
@@ -75,8 +77,8 @@ static GpResult draw_class(const BenchMade *made)
 
 enum { CHANGES = 5 };
 
-/* What a change of the transfer function takes, to one that hides half of the stops and back, beyond that
- * of building a frame: the mean of both, the least of several times. */
+/* What a change of the transfer function takes, to one that hides half of the stops and back,
+ * beyond that of building a frame: the mean of both, the least of several times. */
 static GpResult time_classes(const BenchMade *made, double *ms)
 {
     VolumeModel *model = made->model;

@@ -1,5 +1,5 @@
-/* Benchmark cases of depth images: the bunny from in front of it, with waves of colour that no light
- * changes, seen from 12 degrees aside. */
+/* Benchmark cases of depth images: the bunny from in front of it, with waves of colour that no
+ * light changes, seen from 12 degrees aside. */
 #include "apps/bench/cases.h"
 #include "apps/bench/made.h"
 #include "apps/techniques/warp/report.h"

@@ -1,4 +1,5 @@
-/* Benchmark case of a walk: two hundred depth images under the sun and its shadows, all of them in view. */
+/* Benchmark case of a walk: two hundred depth images under the sun and its shadows, all of them in
+ * view. */
 #include "apps/bench/cases.h"
 #include "apps/techniques/warp/walk_models.h"
 

@@ -26,7 +26,8 @@ typedef struct PlotScale {
     bool doubles;      /* ticks are powers of two, not of ten */
 } PlotScale;
 
-/* A scale of a range with some room at both ends; at least a factor of four. Of no values: about 1. */
+/* A scale of a range with some room at both ends; at least a factor of four. Of no values: about
+ * 1. */
 PlotScale plot_scale(PlotRange range, double begin, double end);
 
 /* Place of a value. */

@@ -62,8 +62,8 @@ static bool is_usual(const Experiment *experiment, const char *method)
     return false;
 }
 
-/* The settings at a place of all rows that are usual, or of all others. returns whether a row has one
- * at that place, or behind it */
+/* The settings at a place of all rows that are usual, or of all others. returns whether a row has
+ * one at that place, or behind it */
 static bool add_place(const Experiment *experiment, bool usual, size_t place, SettingText *texts,
                       Candidates *candidates)
 {

@@ -147,8 +147,8 @@ static bool is_in_sight(const Plot *plot, const PlotLabel *label)
     return true;
 }
 
-/* Left of the front and below it there are no points, so labels go there first; then all around, ever
- * farther away. */
+/* Left of the front and below it there are no points, so labels go there first; then all around,
+ * ever farther away. */
 static void place_label(Plot *plot, PlotLabel *label)
 {
     enum { RINGS = 18, BESIDE = 10, APART = 22, RING = 13 };

@@ -177,7 +177,7 @@ static void add_chart(const char *folder, const Chart *chart, const char *name,
     gp_free(points);
 }
 
-/* --- scaling ----------------------------------------------------------------------------------- */
+/* --- scaling ---------------------------------------------------------------------------------- */
 
 /* The picture as scaling_write left it, and the technique's words on it, if there is one. */
 static void add_scaling(const char *folder, const Technique *technique, Text *contents,

@@ -1,5 +1,5 @@
-/* All charts of a folder, of accuracy and of scaling, on one page that needs no other file: pictures
- * are in it. */
+/* All charts of a folder, of accuracy and of scaling, on one page that needs no other file:
+ * pictures are in it. */
 #ifndef APPS_CHARTS_CHART_PAGE_H
 #define APPS_CHARTS_CHART_PAGE_H
 

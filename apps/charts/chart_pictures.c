@@ -97,8 +97,8 @@ static bool is_farther(const ChartPoint *point, const ChartPoint *other)
     return point->measured.error > other->measured.error;
 }
 
-/* Of each method the point farthest from the truth, unless it is on the front or, within a tenth, as near
- * as the nearest of all. */
+/* Of each method the point farthest from the truth, unless it is on the front or, within a tenth,
+ * as near as the nearest of all. */
 static uint32_t list_failures(Chart *chart, ChartPoint *shown[])
 {
     const ChartPoint *nearest = chart->points;

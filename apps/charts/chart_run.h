@@ -25,8 +25,8 @@ typedef struct ChartJob {
  * do not go with the scene are left out, and the listener told.
  * out    chart: untouched on failure; error: not NULL
  * errors those of the scene and of the truth; GP_ERROR_INVALID: no setting goes with the scene;
- *        GP_ERROR_IO: a picture could not be written; GP_ERROR_MEMORY; items_run's codes as the error
- *        that comes to them
+ *        GP_ERROR_IO: a picture could not be written; GP_ERROR_MEMORY; items_run's codes as the
+ *        error that comes to them
  * owns   the caller, until chart_free */
 GpResult chart_run(const ChartJob *job, Chart *chart, GpError *error);
 

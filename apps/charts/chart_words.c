@@ -30,7 +30,7 @@ static const TechniqueWord common[] = {
     { .word = NULL },
 };
 
-/* --- the list ---------------------------------------------------------------------------------- */
+/* --- the list --------------------------------------------------------------------------------- */
 
 static void add_word(const char *word, const char *sentence, Text *page)
 {
@@ -55,7 +55,7 @@ void chart_add_common_words(Text *page)
     end(page);
 }
 
-/* --- a chart's --------------------------------------------------------------------------------- */
+/* --- a chart's -------------------------------------------------------------------------------- */
 
 static void add_known(const TechniqueWord *words, const char *word, const char *otherwise,
                       Text *page)

@@ -1,5 +1,5 @@
-/* Errors that were measured once, kept in a file, so that nothing is measured twice: one file for all
- * that a measurement depends on but the setting. */
+/* Errors that were measured once, kept in a file, so that nothing is measured twice: one file for
+ * all that a measurement depends on but the setting. */
 #ifndef APPS_CHARTS_MEASURED_H
 #define APPS_CHARTS_MEASURED_H
 

@@ -7,7 +7,8 @@
 
 enum { PLOT_MARGIN = 32 };
 
-/* The number of a name in a list, in which it is then, if it was not before. in names: room for it */
+/* The number of a name in a list, in which it is then, if it was not before. in names: room for
+ * it */
 int plot_series(const char **names, int *count, const char *name);
 
 /* The colour of a series, and its shape: the first fourteen differ in both. */

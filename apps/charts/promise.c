@@ -118,7 +118,8 @@ static void tell_progress(const Search *search, uint32_t done, const char *text)
         listener->progress(listener->user, done, search->candidates.count, text);
 }
 
-/* Tries a candidate. returns whether it holds; false after a failure too, which search->result is */
+/* Tries a candidate. returns whether it holds; false after a failure too, which search->result
+ * is */
 static bool holds(Search *search, uint32_t number)
 {
     const PromiseJob *job = search->job;
@@ -166,7 +167,8 @@ static void try_all(Search *search)
             return;
 }
 
-/* Where nothing holds: those put off, the least first, until none can be better than what is found. */
+/* Where nothing holds: those put off, the least first, until none can be better than what is
+ * found. */
 static void try_put_off(Search *search)
 {
     const uint32_t count = search->candidates.count;

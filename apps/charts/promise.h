@@ -1,8 +1,8 @@
 /* A promise: the cheapest setting whose error, on this very scene, is at most what was asked for.
  *
- * Settings are proposed by a stored chart, which was measured on another scene, and then measured on
- * this one: its truth is found once, the frame is drawn, and held against it. So what is chosen holds,
- * whatever the chart says; the chart only decides how soon it is found, and how fast it is.
+ * Settings are proposed by a stored chart, which was measured on another scene, and then measured
+ * on this one: its truth is found once, the frame is drawn, and held against it. So what is chosen
+ * holds, whatever the chart says; the chart only decides how soon it is found, and how fast it is.
  */
 #ifndef APPS_CHARTS_PROMISE_H
 #define APPS_CHARTS_PROMISE_H
@@ -35,12 +35,12 @@ typedef struct Promise {
 } Promise;
 
 /* Chooses: from the step that the chart proposes to slower ones until one holds, or, where that one
- * does, to faster ones as long as they do; then all others. Settings that do not go with the scene are
- * passed over. Those whose least error is known to be over what is asked for are drawn only where
- * nothing holds, and where they may yet be the best there is.
+ * does, to faster ones as long as they do; then all others. Settings that do not go with the scene
+ * are passed over. Those whose least error is known to be over what is asked for are drawn only
+ * where nothing holds, and where they may yet be the best there is.
  * in/out measured: asked before a setting is drawn, and told afterwards
- * errors those of the truth, of drawing and of measuring; GP_ERROR_INVALID: no setting goes with the
- *        scene */
+ * errors those of the truth, of drawing and of measuring; GP_ERROR_INVALID: no setting goes with
+ *        the scene */
 GpResult promise_choose(const PromiseJob *job, Measured *measured, Promise *promise,
                         GpError *error);
 

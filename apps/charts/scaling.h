@@ -1,7 +1,7 @@
 /* Scaling: what time the settings of a technique take as scenes and settings grow.
  *
- * scaling_run measures, scaling_file writes, scaling_draw draws; what is measured is declared by the
- * technique (TechniqueScaling).
+ * scaling_run measures, scaling_file writes, scaling_draw draws; what is measured is declared by
+ * the technique (TechniqueScaling).
  */
 #ifndef APPS_CHARTS_SCALING_H
 #define APPS_CHARTS_SCALING_H

@@ -3,8 +3,8 @@
 const char svg_ink[] = "#1f2430", svg_soft[] = "#5b6472", svg_grid[] = "#e9ecf0",
            svg_frame[] = "#aab2bd";
 
-/* Colours of paper, and what they are where the page is dark: ink, lines, beaten points, and those of
- * the series (plot.c) that would not stand out. Others are light enough for both. */
+/* Colours of paper, and what they are where the page is dark: ink, lines, beaten points, and those
+ * of the series (plot.c) that would not stand out. Others are light enough for both. */
 static const char *const dark[][2] = {
     { "#ffffff", "var(--sheet)" }, { "#1f2430", "var(--ink)" }, { "#5b6472", "var(--soft)" },
     { "#e9ecf0", "#2a303a" },      { "#aab2bd", "#626c7a" },    { "#d3d8df", "#3d4552" },

@@ -104,7 +104,7 @@ typedef struct Times {
     double peak_mb;   /* memory in use at most, less what was before the case: its data count */
 } Times;
 
-/* --- results ------------------------------------------------------------------------------------- */
+/* --- results ---------------------------------------------------------------------------------- */
 
 static GpResult write_image(const char *directory, const char *name, const uint8_t *rgba,
                             uint32_t width, uint32_t height, GpError *error)
@@ -217,7 +217,8 @@ static int show_picture(const Bench *bench, const BenchCase *drawn, const Frame 
     return result ? report(EXIT_INTERNAL, "%s", error.text) : EXIT_DONE;
 }
 
-/* Before the picture is looked at, since `tell` measures it: so the list is run once more behind it. */
+/* Before the picture is looked at, since `tell` measures it: so the list is run once more behind
+ * it. */
 static GpResult find_floor(GpDevice *device, const GpList *list, BenchFloor *floor, GpError *error)
 {
     BenchRates rates;
@@ -227,9 +228,9 @@ static GpResult find_floor(GpDevice *device, const GpList *list, BenchFloor *flo
     return result ? result : gp_device_run(device, list, error);
 }
 
-/* One device for each case, so that cases do not inherit memory from each other. Draws the first frame,
- * then others until both the time is over and there are enough, but at most twice the time. Where the
- * first alone takes as long, it stands for all. */
+/* One device for each case, so that cases do not inherit memory from each other. Draws the first
+ * frame, then others until both the time is over and there are enough, but at most twice the time.
+ * Where the first alone takes as long, it stands for all. */
 static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
 {
     const TimingPlan plan = { bench->seconds, MIN_FRAMES, 2 * bench->seconds };

@@ -52,7 +52,8 @@ static int key_of(const Parse *parse, int table, int i)
     return field->letter ? field->letter : FIRST_KEY + table * SETTING_MAX_FIELDS + i;
 }
 
-/* "plain|hardware"; "NAME" where that is more than a line of the help holds, which argp cannot break. */
+/* "plain|hardware"; "NAME" where that is more than a line of the help holds, which argp cannot
+ * break. */
 static const char *name_argument(const SettingField *field, char text[96])
 {
     setting_list_names(field, text, 96);
@@ -186,7 +187,8 @@ void command_parse(const CommandSyntax *syntax, CommandOptions *more, int argc, 
                                  .doc = syntax->help,
                                  .help_filter = filter_help };
     argp_err_exit_status = EXIT_USAGE;
-    /* argp's own help has no -h, hence ARGP_NO_HELP; negative numbers keep their place among arguments. */
+    /* argp's own help has no -h, hence ARGP_NO_HELP; negative numbers keep their place among
+     * arguments. */
     if (argp_parse(&parser, argc, argv, ARGP_NO_HELP | ARGP_IN_ORDER, NULL, &parse))
         exit(report(EXIT_INTERNAL, "out of memory"));
 }

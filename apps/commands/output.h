@@ -8,8 +8,8 @@
 
 #include <jansson.h>
 
-/* Path of an output that was not named: the input's name with another extension ("png"), in out/ where
- * that exists. */
+/* Path of an output that was not named: the input's name with another extension ("png"), in out/
+ * where that exists. */
 void output_default_path(const char *input, const char *extension, char *path, size_t size);
 
 /* What a list gave, once it has been drawn for the first time. Borrowed. */
@@ -29,14 +29,14 @@ typedef struct Output {
     const char *rate;         /* one of them, to be told by the second too; NULL: none */
 } Output;
 
-/* Writes the picture or the volume, and prints "hash FORMAT WxH 0123456789abcdef", gp_surface_hash's or
- * that of the volume's voxels in order; with --json draws the list a second time, which is the one
- * that is timed, and prints run_json's object.
+/* Writes the picture or the volume, and prints "hash FORMAT WxH 0123456789abcdef",
+ * gp_surface_hash's or that of the volume's voxels in order; with --json draws the list a second
+ * time, which is the one that is timed, and prints run_json's object.
  * returns the command's exit code, after a message where it is not EXIT_DONE */
 int output_result(Output *output);
 
-/* Prints a value with nine digits, enough to restore every float exactly, and releases it. Keys come in
- * the order in which they were set.
+/* Prints a value with nine digits, enough to restore every float exactly, and releases it. Keys
+ * come in the order in which they were set.
  * in   value: NULL: there was no memory for it
  * returns the command's exit code, after a message where it is not EXIT_DONE */
 int output_json(json_t *value);

@@ -38,7 +38,8 @@ static Piece verdict(const PixelText *history, bool passed)
     return piece;
 }
 
-/* Starts a line of a fragment's block with its label, or with an empty one to go on with the last. */
+/* Starts a line of a fragment's block with its label, or with an empty one to go on with the
+ * last. */
 static void begin_line(const PixelText *history, const char *label)
 {
     fprintf(history->file, "    %-13s", label);

@@ -6,8 +6,9 @@
 
 #include <jansson.h>
 
-/* Adds "vertex_shader" and, where there is one, "pixel_shader": profile (name), gradients, and for each
- * resource {used, limit}; limit null where the profile has none. Nothing where it is not counted. */
+/* Adds "vertex_shader" and, where there is one, "pixel_shader": profile (name), gradients, and for
+ * each resource {used, limit}; limit null where the profile has none. Nothing where it is not
+ * counted. */
 void shader_limits_add(json_t *object, const GpProgram *program);
 
 /* Prints two such objects as one table, "used of limit"; NULL leaves a column out. */

@@ -104,7 +104,8 @@ static const Experiment *experiment_of(const Technique *technique, const char *n
     return NULL;
 }
 
-/* Reads the chart where there is one; where one was named it must be there, and says what is meant. */
+/* Reads the chart where there is one; where one was named it must be there, and says what is
+ * meant. */
 static int read_chart(TechniqueArgs *args, const Place *place, Chart *chart)
 {
     GpError error = { "" };

@@ -34,7 +34,8 @@ typedef struct CompareReport {
 
 /* Compares two pictures of one size and number of channels.
  * note  a NaN or infinity against another value counts as an infinite difference
- * order sums run row by row inside a tile, and over the tiles, in double: the same figures everywhere
+ * order sums run row by row inside a tile, and over the tiles, in double: the same figures
+ *       everywhere
  * source definitions in the struct above: ours, limits as in idiff's manual */
 void compare_pictures(const Picture *a, const Picture *b, const CompareLimits *limits,
                       CompareReport *report);

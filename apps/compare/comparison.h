@@ -37,11 +37,12 @@ typedef struct Comparison {
     bool failed, warned;
 } Comparison;
 
-/* Compares two pictures as their files hold them. Where all samples are the same, nothing is left to look
- * at as floats.
+/* Compares two pictures as their files hold them. Where all samples are the same, nothing is left
+ * to look at as floats.
  * in     views: the pictures are wanted even then
- * out    pictures: as floats, of the same channels where they have one size (grey is repeated; alpha is
- *        left out unless both have it and it is wanted); empty where they are not wanted, and on errors;
+ * out    pictures: as floats, of the same channels where they have one size (grey is repeated;
+ *        alpha is left out unless both have it and it is wanted); empty where they are not wanted,
+ *        and on errors;
  *        owns: the caller, until picture_free
  * errors GP_ERROR_MEMORY; owns: the caller, until comparison_free */
 GpResult comparison_make(const GpImage images[2], bool views, const ComparisonSettings *settings,
@@ -49,14 +50,16 @@ GpResult comparison_make(const GpImage images[2], bool views, const ComparisonSe
 
 void comparison_free(Comparison *comparison); /* zeroes it */
 
-/* Adds the verdict in words, one line without its end: "different: 3 of 4096 pixels (0.0732 %) differ
- * by more than 0.004". */
+/* Adds the verdict in words, one line without its end: "different: 3 of 4096 pixels (0.0732 %)
+ * differ by more than 0.004". */
 void comparison_say(const Comparison *comparison, const ComparisonSettings *settings, Text *text);
 
-/* The same of alpha: "only the first has alpha, which was not compared"; "" where there is nothing. */
+/* The same of alpha: "only the first has alpha, which was not compared"; "" where there is
+ * nothing. */
 const char *comparison_alpha(const Comparison *comparison);
 
-/* A name of what was done with alpha, for programs: "none", "compared", "left out", "only first" .. */
+/* A name of what was done with alpha, for programs: "none", "compared", "left out", "only first"
+ * .. */
 const char *comparison_alpha_name(ComparedAlpha alpha);
 
 #endif

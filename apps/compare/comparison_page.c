@@ -151,7 +151,7 @@ static GpResult add_viewer(const char *const names[2], const Views *views, Text 
     return GP_OK;
 }
 
-/* --- the worst tile ---------------------------------------------------------------------------- */
+/* --- the worst tile --------------------------------------------------------------------------- */
 
 static GpResult add_tile(const Comparison *comparison, const Views *views, Text *page,
                          GpError *error)
@@ -179,7 +179,7 @@ static GpResult add_tile(const Comparison *comparison, const Views *views, Text 
     return GP_OK;
 }
 
-/* --- figures ----------------------------------------------------------------------------------- */
+/* --- figures ---------------------------------------------------------------------------------- */
 
 static void add_row(const char *name, const char *value, const char *note, Text *page)
 {
@@ -216,7 +216,7 @@ static void add_figures(const Comparison *comparison, Text *page)
     text_add(page, "</table></div>\n");
 }
 
-/* --- the page ---------------------------------------------------------------------------------- */
+/* --- the page --------------------------------------------------------------------------------- */
 
 static GpResult add_sizes(const char *const names[2], const Picture pictures[2], Text *page,
                           GpError *error)

@@ -1,5 +1,5 @@
-/* A comparison as a page to look at: both pictures under a slider, their difference, FLIP's map, and the
- * worst tile enlarged. */
+/* A comparison as a page to look at: both pictures under a slider, their difference, FLIP's map,
+ * and the worst tile enlarged. */
 #ifndef APPS_COMPARE_COMPARISON_PAGE_H
 #define APPS_COMPARE_COMPARISON_PAGE_H
 

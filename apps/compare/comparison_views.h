@@ -4,8 +4,8 @@
 
 #include "apps/compare/comparison.h"
 
-/* Absolute differences of red, green and blue, or of grey, each with that of alpha added as grey, such
- * that the largest is 1 (infinite ones too).
+/* Absolute differences of red, green and blue, or of grey, each with that of alpha added as grey,
+ * such that the largest is 1 (infinite ones too).
  * out    view: three channels; scale: what differences were multiplied by, 0 where none is finite
  * errors GP_ERROR_MEMORY; owns: the caller, until picture_free */
 GpResult view_difference(const Picture pictures[2], double largest, Picture *view, double *scale,

@@ -49,8 +49,8 @@ static void balance(Kernel *kernel)
 
 /* --- filters ---------------------------------------------------------------------------------- */
 
-/* What is filtered out of the opponent colours. All filters are products of one along the rows and one
- * along the columns; that of blue against yellow is a sum of two such. */
+/* What is filtered out of the opponent colours. All filters are products of one along the rows and
+ * one along the columns; that of blue against yellow is a sum of two such. */
 typedef enum Response {
     ACHROMATIC,
     RED_GREEN,
@@ -70,8 +70,8 @@ typedef struct Filters {
     int radius; /* the largest */
 } Filters;
 
-/* The eye's sensitivity to contrast, as filters in space: sums of a sqrt(pi / b) exp(-pi^2 x^2 / b) for
- * a distance of x degrees. source section 4.1.1, table 1 */
+/* The eye's sensitivity to contrast, as filters in space: sums of a sqrt(pi / b) exp(-pi^2 x^2 / b)
+ * for a distance of x degrees. source section 4.1.1, table 1 */
 static void make_sensitivity(double ppd, Filters *filters)
 {
     static const double b[] = { 0.0047, 0.0053, 0.04, 0.025 }, a[] = { 1, 1, 34.1, 13.5 };
@@ -179,8 +179,8 @@ GP_INLINE void sum_pairs(int count, const double *const rows[], const Kernel *ke
         }
 }
 
-/* Writes the sum of rows by a kernel's weights, in its order. What lies behind a row of an odd width is read, but
- * not used. */
+/* Writes the sum of rows by a kernel's weights, in its order. What lies behind a row of an odd
+ * width is read, but not used. */
 static void sum_rows(const double *const rows[], const Kernel *kernel, uint32_t width, double *sums)
 {
     StablePair sum[AT_ONCE / 2];

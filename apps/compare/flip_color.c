@@ -89,7 +89,8 @@ static void hunt_lab_of_opponent(const StablePair opponent[3], StablePair lab[3]
 /* --- difference ------------------------------------------------------------------------------- */
 
 /* Lightness by the city block, chroma by Euclid: Abasi, Tehran and Fairchild, "Distance metrics for
- * very large color differences", Color Research and Application 45(2), 2020; to the power of 0.7. */
+ * very large color differences", Color Research and Application 45(2), 2020; to the power of
+ * 0.7. */
 static StablePair distance(const StablePair a[3], const StablePair b[3])
 {
     const StablePair dl = a[0] - b[0], da = a[1] - b[1], db = a[2] - b[2];

@@ -1,5 +1,5 @@
-/* Colours as FLIP sees them: from sRGB by way of opponent colours, which are filtered, to lightness and
- * chroma, whose distance is what an eye would notice. */
+/* Colours as FLIP sees them: from sRGB by way of opponent colours, which are filtered, to lightness
+ * and chroma, whose distance is what an eye would notice. */
 #ifndef APPS_COMPARE_FLIP_COLOR_H
 #define APPS_COMPARE_FLIP_COLOR_H
 
@@ -13,8 +13,9 @@
 void flip_opponent(const StablePair srgb[3], StablePair opponent[3]);
 
 /* Distance of two opponent colours: both are cut to what linear RGB in [0, 1] can show, brought to
- * L*a*b*, their chroma scaled by L* / 100 (Hunt), and measured by HyAB; the distance is raised to 0.7
- * and mapped to [0, 1], so that 0.4 of the largest takes 0.95 of the range. 1: green against blue.
+ * L*a*b*, their chroma scaled by L* / 100 (Hunt), and measured by HyAB; the distance is raised to
+ * 0.7 and mapped to [0, 1], so that 0.4 of the largest takes 0.95 of the range. 1: green against
+ * blue.
  * source section 4.1, equations for HyAB and the redistribution of errors */
 StablePair flip_color_difference(const StablePair a[3], const StablePair b[3]);
 

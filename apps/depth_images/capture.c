@@ -162,8 +162,8 @@ GpResult capture_views(GpDevice *device, const CaptureView *views, uint32_t coun
 
 /* --- planar images ---------------------------------------------------------------------------- */
 
-/* Depths of what is captured: those of the box's corners, a little wider than they are, so that what
- * is rounded stays inside. */
+/* Depths of what is captured: those of the box's corners, a little wider than they are, so that
+ * what is rounded stays inside. */
 static void depth_range(const CaptureShot *shot, const Bounds *bounds, double *near, double *far)
 {
     double low = HUGE_VAL, high = -HUGE_VAL;

@@ -1,7 +1,7 @@
 /* Depth images of meshes, drawn by the pipeline.
  *
- * Depth at a pixel's centre is the surface's, within about 1/512 of a pixel's slope and 2^-20 of itself:
- * the rasterizer rounds corners to 1/256 of a pixel.
+ * Depth at a pixel's centre is the surface's, within about 1/512 of a pixel's slope and 2^-20 of
+ * itself: the rasterizer rounds corners to 1/256 of a pixel.
  */
 #ifndef APPS_DEPTH_IMAGES_CAPTURE_H
 #define APPS_DEPTH_IMAGES_CAPTURE_H
@@ -32,22 +32,24 @@ typedef struct CaptureShot {
     bool behind;            /* the second layer too */
 } CaptureShot;
 
-/* Captures a planar image: at each pixel's centre the surface that is nearest, and behind it what is seen
- * when that surface is taken away: the nearest of what faces the eye, where there is any, for that is
- * what an eye sees that moves past an edge; else the nearest back.
- * DEVIATES from Shade et al., "Layered depth images", SIGGRAPH 98, whose layers are all intersections:
- *        the back of what is in front would be the second of them nearly everywhere, and what comes
- *        into view behind it the third.
+/* Captures a planar image: at each pixel's centre the surface that is nearest, and behind it what
+ * is seen when that surface is taken away: the nearest of what faces the eye, where there is any,
+ * for that is what an eye sees that moves past an edge; else the nearest back.
+ * DEVIATES from Shade et al., "Layered depth images", SIGGRAPH 98, whose layers are all
+ *        intersections: the back of what is in front would be the second of them nearly everywhere,
+ *        and what comes into view behind it the third.
  * in     device: the caller's
- * out    image: with normals; untouched on failure. A pixel of which nothing is seen is DEPTH_NOTHING
- * errors GP_ERROR_INVALID (size), GP_ERROR_MEMORY; owns: the caller, until depth_pixels_free of both layers */
+ * out    image: with normals; untouched on failure. A pixel of which nothing is seen is
+ *        DEPTH_NOTHING
+ * errors GP_ERROR_INVALID (size), GP_ERROR_MEMORY; owns: the caller, until depth_pixels_free of
+ *        both layers */
 GpResult capture_planar(GpDevice *device, const CaptureSource *source, const CaptureShot *shot,
                         DepthImage *image, GpError *error);
 
-/* --- for other captures ------------------------------------------------------------------------ */
+/* --- for other captures ----------------------------------------------------------------------- */
 
-/* A part of a picture: who looks, where in the picture, at which triangles (streams: position, normal
- * and, without waves, colours of four floats). */
+/* A part of a picture: who looks, where in the picture, at which triangles (streams: position,
+ * normal and, without waves, colours of four floats). */
 typedef struct CaptureView {
     DepthPlane plane;
     double near, far; /* 0 <= near < far */
@@ -63,7 +65,8 @@ GpResult capture_views(GpDevice *device, const CaptureView *views, uint32_t coun
                        uint32_t width, uint32_t height, DepthPixels *front, DepthPixels *behind,
                        GpError *error);
 
-/* The colours that a draw of the source needs: [4] a vertex; NULL: the mesh's own, or there are waves.
+/* The colours that a draw of the source needs: [4] a vertex; NULL: the mesh's own, or there are
+ * waves.
  * errors GP_ERROR_MEMORY; owns: the caller, gp_free */
 GpResult capture_colors(const CaptureSource *source, float **colors, GpError *error);
 

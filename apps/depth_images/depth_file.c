@@ -17,7 +17,8 @@ static const char *const names[2][CHANNELS] = {
     { "behind.R", "behind.G", "behind.B", "behind.Z", "behind.N.X", "behind.N.Y", "behind.N.Z" },
 };
 
-/* One channel of pixels: its first float, and how far it is to the next pixel's; NULL: not there. */
+/* One channel of pixels: its first float, and how far it is to the next pixel's; NULL: not
+ * there. */
 static float *channel_of(const DepthPixels *pixels, int channel, size_t *step)
 {
     *step = channel == DEPTH ? 1 : 3;

@@ -26,8 +26,8 @@ typedef struct DepthPlane {
     double left, bottom, width, height;
 } DepthPlane;
 
-/* A cylinder that is looked through from all sides towards its axis (the paper's DPCI). Pixel (x, y)
- * stands at azimuth 2 pi (x + 1/2) / width, from `zero` towards axis x zero, and at height
+/* A cylinder that is looked through from all sides towards its axis (the paper's DPCI). Pixel (x,
+ * y) stands at azimuth 2 pi (x + 1/2) / width, from `zero` towards axis x zero, and at height
  * ((height in pixels) / 2 - (y + 1/2)) / (height in pixels) * height above the centre. */
 typedef struct DepthCylinder {
     double center[3];        /* the middle of the axis */
@@ -59,8 +59,8 @@ typedef struct DepthImage {
 
 enum { DEPTH_MODEL_IMAGES = 6 };
 
-/* Images that are one object, as a file has them: one planar; a cylinder with its two end caps, planar
- * and parallel, from above and from below; six faces of a box. A zeroed one is empty. */
+/* Images that are one object, as a file has them: one planar; a cylinder with its two end caps,
+ * planar and parallel, from above and from below; six faces of a box. A zeroed one is empty. */
 typedef struct DepthModel {
     uint32_t count;
     DepthImage images[DEPTH_MODEL_IMAGES];
@@ -72,13 +72,15 @@ GpResult depth_pixels_make(uint32_t width, uint32_t height, bool has_normals, De
 void depth_pixels_free(DepthPixels *pixels); /* a zeroed one is fine */
 void depth_model_free(DepthModel *model);
 
-/* The point that a pixel of a depth shows. in x, y: of the picture, in pixels from its left upper corner */
+/* The point that a pixel of a depth shows. in x, y: of the picture, in pixels from its left upper
+ * corner */
 void depth_plane_point(const DepthPlane *plane, const DepthPixels *pixels, double x, double y,
                        double depth, double point[3]);
 void depth_cylinder_point(const DepthCylinder *cylinder, const DepthPixels *pixels, double x,
                           double y, double depth, double point[3]);
 
-/* Where a point is in the picture, and at what depth; false: nowhere (behind the eye; on the axis). */
+/* Where a point is in the picture, and at what depth; false: nowhere (behind the eye; on the
+ * axis). */
 bool depth_plane_place(const DepthPlane *plane, const DepthPixels *pixels, const double point[3],
                        double place[2], double *depth);
 bool depth_cylinder_place(const DepthCylinder *cylinder, const DepthPixels *pixels,

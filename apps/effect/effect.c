@@ -11,7 +11,7 @@
 /* Of the near plane, beside a model two long. */
 #define NEAREST 0.01
 
-/* --- what the program wants --------------------------------------------------------------------- */
+/* --- what the program wants ------------------------------------------------------------------- */
 
 static GpResult check_program(const GpProgram *program, const GpGeometry *geometry, GpError *error)
 {
@@ -31,7 +31,7 @@ static GpResult check_program(const GpProgram *program, const GpGeometry *geomet
     return GP_OK;
 }
 
-/* --- what it gets ------------------------------------------------------------------------------- */
+/* --- what it gets ----------------------------------------------------------------------------- */
 
 static Bounds shape_bounds(const Shape *shape)
 {

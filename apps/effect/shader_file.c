@@ -17,7 +17,7 @@
 
 extern char **environ;
 
-/* --- which programs there are ------------------------------------------------------------------ */
+/* --- which programs there are ----------------------------------------------------------------- */
 
 enum { MAX_PROGRAMS = 32 };
 
@@ -84,7 +84,7 @@ static GpResult choose_program(const char *path, const char *wanted, ProgramName
     return result;
 }
 
-/* --- building ---------------------------------------------------------------------------------- */
+/* --- building --------------------------------------------------------------------------------- */
 
 /* The folder that holds bin/, include/ and share/: the program's own place tells it. */
 static GpResult find_prefix(char prefix[PATH_MAX], GpError *error)

@@ -10,8 +10,8 @@ typedef struct ShaderFile {
     void *library;
 } ShaderFile;
 
-/* Builds a file, or takes what was built of it before (install/build_shader.sh), and loads one of its
- * programs. The compiler's messages go to stderr.
+/* Builds a file, or takes what was built of it before (install/build_shader.sh), and loads one of
+ * its programs. The compiler's messages go to stderr.
  * in     name: of the program; NULL: the only one
  * errors GP_ERROR_IO: the file, no compiler; GP_ERROR_FORMAT: the compiler refuses it, there is no
  *        such program, or a choice; GP_ERROR_UNSUPPORTED: nowhere to build

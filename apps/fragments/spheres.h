@@ -7,10 +7,10 @@
 
 enum { SPHERES_MOST = 96, SPHERE_COLUMNS = 200, SPHERE_TRIANGLES = 39600 };
 
-/* Two by two columns of spheres of radius 0.48, a unit apart, that go away along -z: so many layers deep, each
- * sphere two of them. Triangles turn counter-clockwise seen from outside.
- * in     layers: even, 2 to SPHERES_MOST; columns: triangles round each sphere, even, 4 to SPHERE_COLUMNS,
- *        which makes SPHERE_TRIANGLES of it; half as many rows
+/* Two by two columns of spheres of radius 0.48, a unit apart, that go away along -z: so many layers
+ * deep, each sphere two of them. Triangles turn counter-clockwise seen from outside.
+ * in     layers: even, 2 to SPHERES_MOST; columns: triangles round each sphere, even, 4 to
+ *        SPHERE_COLUMNS, which makes SPHERE_TRIANGLES of it; half as many rows
  * errors GP_ERROR_MEMORY; owns: the caller, until gp_mesh_free
  * source paper 002, figure 6 */
 GpResult spheres_make(uint32_t layers, uint32_t columns, GpMesh *mesh);

@@ -23,8 +23,8 @@ typedef struct VolumeAtlas {
 } VolumeAtlas;
 
 /* in     value: [size[2]][size[1]][size[0]]
- * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: more samples than a flat texture has room for, some 200
- *        million */
+ * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: more samples than a flat texture has room for, some
+ *        200 million */
 GpResult volume_atlas_make(const uint8_t *value, const uint32_t size[3], VolumeAtlas *atlas,
                            GpError *error);
 void volume_atlas_free(VolumeAtlas *atlas);

@@ -15,7 +15,7 @@ void frame_free(Frame *frame)
     *frame = (Frame){ .color = NULL };
 }
 
-/* --- memory and surfaces --------------------------------------------------------------------- */
+/* --- memory and surfaces ---------------------------------------------------------------------- */
 
 void *frame_alloc(Frame *frame, size_t count, size_t size)
 {
@@ -63,7 +63,7 @@ GpSurface *frame_target(Frame *frame, GpFormat format, uint32_t width, uint32_t 
     return make_surface(frame, &desc);
 }
 
-/* --- passes ---------------------------------------------------------------------------------- */
+/* --- passes ----------------------------------------------------------------------------------- */
 
 /* An array with room for one more item, which moves to twice the room where it has none; NULL
  * without memory. */

@@ -22,7 +22,8 @@ typedef struct Frame {
     void *held;  /* but for what something else made, which frame_free gives to release; or NULL */
     void (*release)(void *held);
 
-    /* The part that is to be drawn of a picture of this size, as GpSurfaceDesc.window; all zero: all of it */
+    /* The part that is to be drawn of a picture of this size, as GpSurfaceDesc.window; all zero:
+     * all of it */
     GpRect window;
     uint32_t window_of[2];
 
@@ -60,11 +61,11 @@ void *frame_own(Frame *frame, void *memory); /* of gp_alloc; NULL: none, or out 
 GpSurface *frame_surface(Frame *frame, GpFormat format, uint32_t width, uint32_t height,
                          uint32_t levels);
 
-/* The same with one level, for what is drawn pixel by pixel: where it is of the picture's size, it has the
- * frame's window. */
+/* The same with one level, for what is drawn pixel by pixel: where it is of the picture's size, it
+ * has the frame's window. */
 GpSurface *frame_target(Frame *frame, GpFormat format, uint32_t width, uint32_t height);
 
-/* --- passes ---------------------------------------------------------------------------------- */
+/* --- passes ----------------------------------------------------------------------------------- */
 
 /* Appends a pass, then draws to the last one. color, NULL for none, is cleared to clear_color;
  * depth, NULL for none, to 1. The struct returned is the list's own, for what is to be different,
@@ -83,8 +84,8 @@ GpDraw *frame_draw_copied(Frame *frame, const GpProgram *program, const void *un
  * returns how many */
 uint32_t frame_take(Frame *frame, bool (*which)(const GpDraw *draw), GpDraw *taken);
 
-/* Makes room for so many more draws at once, of which there are millions: otherwise their array moves as it
- * grows, and leaves what it was behind. */
+/* Makes room for so many more draws at once, of which there are millions: otherwise their array
+ * moves as it grows, and leaves what it was behind. */
 void frame_reserve(Frame *frame, uint32_t draws);
 
 #endif

@@ -255,8 +255,8 @@ GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface 
 /* What is taken of a surface's colours. */
 typedef enum Part { PART_ALL, PART_OPAQUE, PART_ALPHA } Part;
 
-/* Channels of the picture of a part. Two channels become red and green of three, since a picture's two
- * are grey and alpha. */
+/* Channels of the picture of a part. Two channels become red and green of three, since a picture's
+ * two are grey and alpha. */
 static int part_channels(const GpSurface *surface, Part part)
 {
     const GpFormatInfo *info = gp_format_info(surface->format);
@@ -264,8 +264,8 @@ static int part_channels(const GpSurface *surface, Part part)
     return info->is_depth || part == PART_ALPHA ? 1 : three ? 3 : info->channels;
 }
 
-/* A row of level 0 inside a rectangle as floats. Codes survive: dividing by the largest and rounding back is exact (R23,
- * R24). */
+/* A row of level 0 inside a rectangle as floats. Codes survive: dividing by the largest and
+ * rounding back is exact (R23, R24). */
 static void load_row(const GpSurface *surface, Part part, const GpRect *rect, uint32_t y,
                      float *values)
 {

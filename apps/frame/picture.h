@@ -52,14 +52,15 @@ GpResult picture_encode_png(const Picture *picture, GpFile *file, GpError *error
 GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface **surface,
                               GpError *error);
 
-/* The samples that a file of this name would have of a part of a surface, alpha included: rounded as that
- * file rounds.
+/* The samples that a file of this name would have of a part of a surface, alpha included: rounded
+ * as that file rounds.
  * errors GP_ERROR_MEMORY; owns: the caller, until gp_image_free */
 GpResult picture_samples(const char *path, const GpSurface *surface, const GpRect *part,
                          GpImage *image, GpError *error);
 
 /* Writes a surface likewise. Eight-bit targets keep their codes; float targets go to EXR and PFM as
- * they are; depth is grey: 16 bits in PNG and PPM, else floats in [0, 1]; opaque: alpha is left out.
+ * they are; depth is grey: 16 bits in PNG and PPM, else floats in [0, 1]; opaque: alpha is left
+ * out.
  * in     pool: as gp_image_write's
  * errors as picture_write's */
 GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
@@ -71,7 +72,8 @@ GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpPool 
 
 enum { PICTURE_HASH_LINE = 96 };
 
-/* What the program says of a picture: "hash A8R8G8B8 64x48 0123456789abcdef", by gp_surface_hash. */
+/* What the program says of a picture: "hash A8R8G8B8 64x48 0123456789abcdef", by
+ * gp_surface_hash. */
 void picture_hash_line(const GpSurface *surface, char line[PICTURE_HASH_LINE]);
 
 #endif

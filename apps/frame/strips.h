@@ -1,4 +1,5 @@
-/* Pictures too large to be in memory: their windows come in order, and go to a file band by band. */
+/* Pictures too large to be in memory: their windows come in order, and go to a file band by
+ * band. */
 #ifndef APPS_FRAME_STRIPS_H
 #define APPS_FRAME_STRIPS_H
 
@@ -10,7 +11,8 @@ typedef struct Strips Strips;
 bool strips_can_write(const char *path);
 
 /* Begins a file, of the bytes that picture_write_surface would write of the whole.
- * errors GP_ERROR_IO, GP_ERROR_MEMORY; GP_ERROR_INVALID: the file's name, or a format that it cannot hold
+ * errors GP_ERROR_IO, GP_ERROR_MEMORY; GP_ERROR_INVALID: the file's name, or a format that it
+ *        cannot hold
  * owns   the caller, until strips_end, after a failure too */
 GpResult strips_begin(const char *path, GpFormat format, uint32_t width, uint32_t height,
                       Strips **strips, GpError *error);

@@ -1,8 +1,9 @@
 /* Scenes that are to look as they did: each is drawn and held against what is stored beside it.
  *
- * Beside SCENE.json stand SCENE.hash, the line that `render` prints of it, which holds for every bit; or
- * a picture, SCENE.png, .exr, .pfm or .ppm, as `render` writes it, which holds within limits; or both,
- * and both must hold. SCENE.limits has limits for that scene, as one would type them.
+ * Beside SCENE.json stand SCENE.hash, the line that `render` prints of it, which holds for every
+ * bit; or a picture, SCENE.png, .exr, .pfm or .ppm, as `render` writes it, which holds within
+ * limits; or both, and both must hold. SCENE.limits has limits for that scene, as one would type
+ * them.
  */
 #ifndef APPS_GOLDEN_GOLDEN_H
 #define APPS_GOLDEN_GOLDEN_H
@@ -46,7 +47,8 @@ GpResult golden_run(const GoldenTask *task, const char *name, GpDevice *device, 
 
 /* Draws the scene and stores it: in those of the files that are there, else as .hash and .png.
  * out    wrote: a line for each file; text_free
- * errors those of scene_load, gp_device_run and gp_file_write; what was stored then stays or is whole */
+ * errors those of scene_load, gp_device_run and gp_file_write; what was stored then stays or is
+ *        whole */
 GpResult golden_bless(const GoldenTask *task, const char *name, GpDevice *device, Text *wrote,
                       GpError *error);
 

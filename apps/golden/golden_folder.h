@@ -19,7 +19,8 @@ typedef struct GoldenFolder {
     double seconds;                 /* wall clock of all together */
 } GoldenFolder;
 
-/* Lists the scenes of a folder: its files *.json and, so that no stored hash is left behind, *.hash.
+/* Lists the scenes of a folder: its files *.json and, so that no stored hash is left behind,
+ * *.hash.
  * in     only: the scene of this name; NULL: all
  * errors GP_ERROR_IO (no folder), GP_ERROR_FORMAT (no scenes in it, or none of this name),
  *        GP_ERROR_MEMORY */
@@ -27,15 +28,15 @@ GpResult golden_folder_open(const char *path, const char *only, GoldenFolder *fo
                             GpError *error);
 void golden_folder_free(GoldenFolder *folder); /* zeroes it */
 
-/* Runs all scenes as items, each drawn by one thread where there are more of them than threads; a scene
- * that fails stops no other.
+/* Runs all scenes as items, each drawn by one thread where there are more of them than threads; a
+ * scene that fails stops no other.
  * order  results do not depend on who draws
  * returns items_run's code */
 int golden_folder_run(const GoldenTask *task, const ItemRun *run, GoldenFolder *folder,
                       GpError *error);
 
-/* The results as JUnit's XML, which build servers read: a test case for each scene; differing and missing
- * are failures, broken is an error. in: path: the folder's name for the reader */
+/* The results as JUnit's XML, which build servers read: a test case for each scene; differing and
+ * missing are failures, broken is an error. in: path: the folder's name for the reader */
 void golden_folder_junit(const GoldenFolder *folder, const char *path, Text *xml);
 
 #endif

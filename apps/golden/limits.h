@@ -4,7 +4,8 @@
 
 #include "apps/techniques/settings.h"
 
-/* Of ComparisonSettings: --fail to --hardwarn as idiff names them, --flipfail, --ppd, --no-alpha. */
+/* Of ComparisonSettings: --fail to --hardwarn as idiff names them, --flipfail, --ppd,
+ * --no-alpha. */
 extern const SettingField comparison_fields[];
 
 #endif

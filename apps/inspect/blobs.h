@@ -1,5 +1,5 @@
-/* Blocks of bytes inside a page: packed by zlib, as text by base64. Scripts unpack one when it is asked
- * for, by its number. A second thread packs them. */
+/* Blocks of bytes inside a page: packed by zlib, as text by base64. Scripts unpack one when it is
+ * asked for, by its number. A second thread packs them. */
 #ifndef APPS_INSPECT_BLOBS_H
 #define APPS_INSPECT_BLOBS_H
 
@@ -37,7 +37,8 @@ BlobsMark blobs_mark(Blobs *blobs);
 /* Takes away what was added since. */
 void blobs_cut(Blobs *blobs, BlobsMark mark);
 
-/* All elements as text, terminated; NULL where memory was short. Waits. Borrowed until the next change */
+/* All elements as text, terminated; NULL where memory was short. Waits. Borrowed until the next
+ * change */
 const char *blobs_text(Blobs *blobs);
 
 void blobs_free(Blobs *blobs); /* waits, and zeroes it */

@@ -1,9 +1,10 @@
 /* Every fragment of a frame in a word or two: which triangle of which draw, and what became of it.
  *
- * A pass becomes one blob: pixels in rows from the top, those beside each other with equal fragments
- * put together. Of each run: how many pixels; how many fragments; and of each fragment its draw, its
- * primitive, and its verdict (FragmentVerdict), plus 16 where it shows its front. All are unsigned numbers in bytes of seven bits, the
- * lowest first, the eighth set where more follow (LEB128). */
+ * A pass becomes one blob: pixels in rows from the top, those beside each other with equal
+ * fragments put together. Of each run: how many pixels; how many fragments; and of each fragment
+ * its draw, its primitive, and its verdict (FragmentVerdict), plus 16 where it shows its front. All
+ * are unsigned numbers in bytes of seven bits, the lowest first, the eighth set where more follow
+ * (LEB128). */
 #ifndef APPS_INSPECT_FRAGMENTS_H
 #define APPS_INSPECT_FRAGMENTS_H
 
@@ -19,7 +20,8 @@ typedef enum FragmentVerdict {
     FRAGMENT_ALPHA,
     FRAGMENT_STENCIL,
     FRAGMENT_DEPTH,
-    FRAGMENT_CULLED, /* no fragment: the triangle was culled by its facing, and would have covered it */
+    /* no fragment: the triangle was culled by its facing, and would have covered it */
+    FRAGMENT_CULLED,
     FRAGMENT_CLIPPED, /* nor is this: only the near or the far plane cut it away here */
     FRAGMENT_VERDICTS
 } FragmentVerdict;
@@ -48,11 +50,13 @@ typedef struct Fragments {
     bool failed;
 } Fragments;
 
-/* Takes what an event tells of a fragment; others are of no concern. in: draw: its number in the pass */
+/* Takes what an event tells of a fragment; others are of no concern. in: draw: its number in the
+ * pass */
 void fragments_event(Fragments *fragments, const GpPass *pass, const GpTraceEvent *event,
                      uint32_t draw);
 
-/* Sorts them by pixel, and each pixel's by turn, and finds those that are hidden. After all events. */
+/* Sorts them by pixel, and each pixel's by turn, and finds those that are hidden. After all
+ * events. */
 void fragments_finish(Fragments *fragments);
 
 /* The blob of a pass, finished; BLOB_NONE where memory is short. */

@@ -9,8 +9,8 @@
 json_t *frame_tell_pass(const GpList *list, uint32_t pass, uint32_t group, uint32_t draws,
                         const Targets *targets);
 
-/* [{"slot", "name", "format", "width", "height", "levels", "min", ...}, ...] of the textures that are bound.
- * The caller owns it. */
+/* [{"slot", "name", "format", "width", "height", "levels", "min", ...}, ...] of the textures that
+ * are bound. The caller owns it. */
 json_t *frame_tell_textures(const GpDraw *draw);
 
 #endif

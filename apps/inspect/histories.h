@@ -1,11 +1,11 @@
 /* Whole histories of chosen pixels: every event of the trace, with every value, as JSON.
  *
- * A pixel is {"x", "y", "events": [...]}, an event what trace_json makes of it, without the names of
- * pass, draw and program; those of vertices, clipping and set-up are told once for each primitive,
- * {"draw", "primitive", "vertices": [...], "clip", "setup": [...]}, a vertex with its streams' bytes,
- * "raw", with "reuse", how many elements of the draw name it, and its shader's "steps"; and a "raster" event says in
- * "part" which of its set-ups covered the pixel. "steps" are as steps_json.h has them. Pixels and
- * primitives stand HISTORY_CHUNK a blob. */
+ * A pixel is {"x", "y", "events": [...]}, an event what trace_json makes of it, without the names
+ * of pass, draw and program; those of vertices, clipping and set-up are told once for each
+ * primitive, {"draw", "primitive", "vertices": [...], "clip", "setup": [...]}, a vertex with its
+ * streams' bytes, "raw", with "reuse", how many elements of the draw name it, and its shader's
+ * "steps"; and a "raster" event says in "part" which of its set-ups covered the pixel. "steps" are
+ * as steps_json.h has them. Pixels and primitives stand HISTORY_CHUNK a blob. */
 #ifndef APPS_INSPECT_HISTORIES_H
 #define APPS_INSPECT_HISTORIES_H
 
@@ -53,8 +53,8 @@ GpResult histories_begin(Histories *histories, const GpPass *pass, GpError *erro
 /* Chooses a pixel, if it is inside and was not chosen before. */
 void histories_choose(Histories *histories, int32_t x, int32_t y);
 
-/* Notes which primitives are at the chosen pixels, once all are chosen: no others are told of. errors
- * GP_ERROR_MEMORY */
+/* Notes which primitives are at the chosen pixels, once all are chosen: no others are told of.
+ * errors GP_ERROR_MEMORY */
 GpResult histories_ask(Histories *histories, const Fragments *fragments, GpError *error);
 
 /* Whether the events of a pixel are wanted. */
@@ -75,8 +75,8 @@ void histories_event(Histories *histories, const GpTraceEvent *event, uint32_t d
 /* The last primitive has ended. */
 void histories_finish(Histories *histories);
 
-/* {"pixels": [[x, y], ...], "blobs": [...], "primitives": {"0/14": 0, ...}, "primitive_blobs": [...],
- * "listings": blob, "left_out": events} */
+/* {"pixels": [[x, y], ...], "blobs": [...], "primitives": {"0/14": 0, ...}, "primitive_blobs":
+ * [...], "listings": blob, "left_out": events} */
 json_t *histories_tell(const Histories *histories, Blobs *blobs);
 
 void histories_free(Histories *histories);

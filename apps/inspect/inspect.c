@@ -18,8 +18,8 @@ enum {
 
 /* --- data ------------------------------------------------------------------------------------- */
 
-/* The fast executor draws the frame over: its bits must be those that were recorded, and its clock is
- * looked at. */
+/* The fast executor draws the frame over: its bits must be those that were recorded, and its clock
+ * is looked at. */
 static GpResult run_fast(Record *record, json_t **timings, GpError *error)
 {
     const Inspect *inspect = record->inspect;
@@ -216,7 +216,8 @@ static void tell_histories(Record *record, Blobs *blobs)
     }
 }
 
-/* Tells the pixels' histories, of as many as leave the blobs within so many bytes; of no fewer than a few. */
+/* Tells the pixels' histories, of as many as leave the blobs within so many bytes; of no fewer than
+ * a few. */
 static GpResult fit_histories(Record *record, Blobs *blobs, size_t most, GpError *error)
 {
     enum { TURNS = 3 };
@@ -234,7 +235,8 @@ static GpResult fit_histories(Record *record, Blobs *blobs, size_t most, GpError
     return result;
 }
 
-/* The data of one frame, in so many bytes if that can be. out: frame, lesson: blobs; timings: NULL without */
+/* The data of one frame, in so many bytes if that can be. out: frame, lesson: blobs; timings: NULL
+ * without */
 static GpResult add_frame(const Inspect *inspect, size_t most, Blobs *blobs, int *frame,
                           int *lesson, json_t **timings, GpError *error)
 {

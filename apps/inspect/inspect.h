@@ -1,5 +1,5 @@
-/* A frame as one page of HTML, to be walked through stage by stage: what was drawn, what every unit saw
- * and decided, and the history of every pixel.
+/* A frame as one page of HTML, to be walked through stage by stage: what was drawn, what every unit
+ * saw and decided, and the history of every pixel.
  *
  * The data of a page are blobs (blobs.h). The last one is the frame, as JSON:
  *
@@ -8,22 +8,23 @@
  *   surfaces               targets_tell
  *   verdicts               names of FragmentVerdict
  *   passes[]               pass, name, width, height, order, group
- *     targets[]            slot ("0" .. "3", "depth"), surface, clear: null, or the values cleared to
- *     draws[]              draw, name, program, geometry, primitives, vertices; units[] (unit, runs,
- *                          why); state {words}; uniforms[], textures[]; costs of its shaders
+ *     targets[]            slot ("0" .. "3", "depth"), surface, clear: null, or cleared to what
+ *     draws[]              draw, name, program, geometry, primitives, vertices; units[] (unit,
+ *                          runs, why); state {words}; uniforms[], textures[]; costs of its shaders
  *     stops[]              first, count of draws; targets[] (targets_changed); counters {words}
  *     fragments, lod       blobs (fragments.h); fragments_left_out: how many have no place in it
  *     histories            histories_tell
- *   differing              pixels that differ from the picture beside it; null: none is, or it is of
- *                          another size or format
+ *   differing              pixels that differ from the picture beside it; null: none is, or it is
+ *                          of another size or format
  *   truth                  null, or off (blob of floats, InspectTruth.off), over, under, how
- *   grid, region, dense    what was chosen to be recorded whole; share: the part of it that had room
+ *   grid, region, dense    what was chosen to be recorded whole; share: the part of it that had
+ *                          room
  *   sources, programs      sources_tell (blob), sources_of_programs
  *
  * A lesson has one more blob, lesson_tell's.
  *
- * The element "timings" is beside them: milliseconds by phase of the fast executor, and not there with
- * no_timings. A page that compares has two frames.
+ * The element "timings" is beside them: milliseconds by phase of the fast executor, and not there
+ * with no_timings. A page that compares has two frames.
  */
 #ifndef APPS_INSPECT_INSPECT_H
 #define APPS_INSPECT_INSPECT_H
@@ -62,7 +63,8 @@ typedef struct Inspect {
 
 /* Makes the page.
  * in   against: another frame, to be compared with; NULL: none
- * errors those of gp_device_run and lesson_tell; GP_ERROR_UNSUPPORTED: both executors differ; GP_ERROR_MEMORY
+ * errors those of gp_device_run and lesson_tell; GP_ERROR_UNSUPPORTED: both executors differ;
+ *      GP_ERROR_MEMORY
  * owns: the caller, until text_free */
 GpResult inspect_page(const Inspect *inspect, const Inspect *against, Text *page, GpError *error);
 

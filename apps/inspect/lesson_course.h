@@ -17,12 +17,13 @@ typedef struct Course {
     Text entries; /* of the list */
 } Course;
 
-/* Finds the lessons of a folder. errors GP_ERROR_IO, GP_ERROR_MEMORY, GP_ERROR_FORMAT: there is none, or
- * course.json is not right. owns: the caller, until course_free */
+/* Finds the lessons of a folder. errors GP_ERROR_IO, GP_ERROR_MEMORY, GP_ERROR_FORMAT: there is
+ * none, or course.json is not right. owns: the caller, until course_free */
 GpResult course_open(const char *folder, Course *course, GpError *error);
 void course_free(Course *course);
 
-/* The page of a lesson, beside the others: "01_three_vertices.html"; "" where there is no such lesson. */
+/* The page of a lesson, beside the others: "01_three_vertices.html"; "" where there is no such
+ * lesson. */
 void course_page_name(const Course *course, uint32_t number, char *name, size_t size);
 
 /* Adds a lesson's line, when its page is made. in: picture: its scene's

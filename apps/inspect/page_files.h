@@ -1,5 +1,5 @@
-/* Files that stand in the program: what pages are made of, and sources that they show. Put there when
- * the program is built, by page_files.sh. */
+/* Files that stand in the program: what pages are made of, and sources that they show. Put there
+ * when the program is built, by page_files.sh. */
 #ifndef APPS_INSPECT_PAGE_FILES_H
 #define APPS_INSPECT_PAGE_FILES_H
 

@@ -80,8 +80,8 @@ static GpResult begin_passes(Record *record, GpError *error)
     return targets_find(list, &record->targets, error);
 }
 
-/* Each walk has a device of its own: shaders are only stepped through in the second, which only tells of chosen
- * pixels. */
+/* Each walk has a device of its own: shaders are only stepped through in the second, which only
+ * tells of chosen pixels. */
 static GpResult walk_once(Record *record, bool wholly, GpError *error)
 {
     const GpDeviceDesc desc = {

@@ -30,13 +30,13 @@ typedef struct Record {
     uint32_t done, total;
 } Record;
 
-/* Walks through the frame twice: for every fragment and every target, then for the whole histories of
- * chosen pixels. The targets end as the frame leaves them.
+/* Walks through the frame twice: for every fragment and every target, then for the whole histories
+ * of chosen pixels. The targets end as the frame leaves them.
  * errors those of gp_device_run, GP_ERROR_MEMORY. owns: the caller, until record_free, also then */
 GpResult record_frame(const Inspect *inspect, Blobs *blobs, Record *record, GpError *error);
 
-/* Chooses fewer pixels and records their histories once more: about such a part of their bytes. errors as
- * above */
+/* Chooses fewer pixels and records their histories once more: about such a part of their bytes.
+ * errors as above */
 GpResult record_fewer(Record *record, double part, GpError *error);
 
 void record_free(Record *record);

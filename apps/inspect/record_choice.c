@@ -9,7 +9,8 @@ enum {
     MOST_FATES = 3          /* pixels for every fate of a draw's fragments */
 };
 
-/* How fates are sampled where there is room for a share of the pixels: so many of every n-th draw. */
+/* How fates are sampled where there is room for a share of the pixels: so many of every n-th
+ * draw. */
 typedef struct FateChoice {
     uint32_t each, every;
 } FateChoice;
@@ -81,7 +82,8 @@ static uint32_t grid_step(const Histories *histories, uint32_t pixels)
     return step;
 }
 
-/* A few for every fate that fragments of a draw had, the region, the draw's, and a grid over all. */
+/* A few for every fate that fragments of a draw had, the region, the draw's, and a grid over
+ * all. */
 static GpResult choose_of_pass(Record *record, uint32_t pass, GpError *error)
 {
     const Inspect *inspect = record->inspect;
@@ -109,8 +111,8 @@ static GpResult choose_of_pass(Record *record, uint32_t pass, GpError *error)
     return GP_OK;
 }
 
-/* Of a technique's frame, once all passes have chosen: the pixels of the picture's pass in all passes of its
- * size, so that a pixel can be followed through them. */
+/* Of a technique's frame, once all passes have chosen: the pixels of the picture's pass in all
+ * passes of its size, so that a pixel can be followed through them. */
 static void choose_alike(Record *record)
 {
     const Histories *last = &record->passes[record->pass_count - 1].histories;

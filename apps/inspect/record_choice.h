@@ -7,8 +7,8 @@
 /* Chooses pixels of each pass once the fragments are known: of its share. errors GP_ERROR_MEMORY */
 GpResult record_choose(Record *record, GpError *error);
 
-/* Once histories are recorded: lowers the share until they take about such a part of the bytes, by how many
- * each pass's fragments took, and chooses again. errors GP_ERROR_MEMORY */
+/* Once histories are recorded: lowers the share until they take about such a part of the bytes, by
+ * how many each pass's fragments took, and chooses again. errors GP_ERROR_MEMORY */
 GpResult record_choose_fewer(Record *record, double part, GpError *error);
 
 #endif

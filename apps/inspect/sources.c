@@ -11,7 +11,8 @@ const PageFile *source_find(const char *path)
     return NULL;
 }
 
-/* Where a line ends but for its comment and white space; its first character where it is nothing else. */
+/* Where a line ends but for its comment and white space; its first character where it is nothing
+ * else. */
 static const char *code_end(const char *begin, const char *end)
 {
     for (const char *at = begin; at + 1 < end; at++)

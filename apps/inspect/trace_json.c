@@ -82,8 +82,8 @@ static json_t *raster_event(const GpTraceEvent *event)
                      raster->front);
 }
 
-/* Beside the values, their differences: to the right and downward in the quad, as dsx and dsy have them, and
- * of what is linear on the screen to what is drawn. */
+/* Beside the values, their differences: to the right and downward in the quad, as dsx and dsy have
+ * them, and of what is linear on the screen to what is drawn. */
 static json_t *interpolate_event(const GpTraceEvent *event)
 {
     const GpTraceInterpolate *interpolate = &event->interpolate;

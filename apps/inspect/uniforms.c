@@ -1,5 +1,6 @@
-/* A reader of C's struct declarations, as far as shaders use them: members of float, int32_t, uint32_t, int
- * or of such structs, with up to three dimensions, which are numbers or named ones. */
+/* A reader of C's struct declarations, as far as shaders use them: members of float, int32_t,
+ * uint32_t, int or of such structs, with up to three dimensions, which are numbers or named
+ * ones. */
 #include "apps/inspect/uniforms.h"
 
 #include "apps/base/json.h"
@@ -46,7 +47,8 @@ static const char *next_token(const char *at, char token[NAME])
     return at + length;
 }
 
-/* Where a word stands after another text, in the shaders' sources: "typedef struct " "PhongUniforms". */
+/* Where a word stands after another text, in the shaders' sources: "typedef struct "
+ * "PhongUniforms". */
 static const char *find(const char *before, const char *word, const char *after)
 {
     char text[2 * NAME];
@@ -141,7 +143,8 @@ static const char *read_dimensions(Layout *layout, const char *at, int dimension
 
 static const char *add_body(Layout *layout, const char *at, const char *prefix, int depth);
 
-/* "struct { float position[3]; } lights[4];" from behind its brace. returns what follows its semicolon */
+/* "struct { float position[3]; } lights[4];" from behind its brace. returns what follows its
+ * semicolon */
 static const char *add_nameless(Layout *layout, const char *body, const char *prefix, int depth)
 {
     char token[NAME], name[NAME], inner[NAME];
@@ -226,7 +229,8 @@ static bool search_file(void *user, const PageFile *file)
     return false;
 }
 
-/* vertex_shader(vs, Uniforms, ..) names it; behind a macro it is the one struct of the right size. */
+/* vertex_shader(vs, Uniforms, ..) names it; behind a macro it is the one struct of the right
+ * size. */
 static bool find_layout(const GpProgram *program, Layout *layout)
 {
     const PageFile *file = source_of_program(program->name);

@@ -1,5 +1,5 @@
-/* A list run stop by stop: after each draw, or each few where there are many, the targets are as they
- * then were. Bits and order are those of the whole list in one run. */
+/* A list run stop by stop: after each draw, or each few where there are many, the targets are as
+ * they then were. Bits and order are those of the whole list in one run. */
 #ifndef APPS_INSPECT_WALK_H
 #define APPS_INSPECT_WALK_H
 
@@ -7,8 +7,8 @@
 
 enum { WALK_MOST_STOPS = 256 };
 
-/* Draws [first, first + count) of a pass. A pass without draws has one stop, for its clear; one with an
- * order by depth one for all, since its fragments wait for its end. */
+/* Draws [first, first + count) of a pass. A pass without draws has one stop, for its clear; one
+ * with an order by depth one for all, since its fragments wait for its end. */
 typedef struct WalkStop {
     uint32_t pass, first, count;
 } WalkStop;

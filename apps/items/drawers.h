@@ -16,13 +16,15 @@ typedef struct Drawn {
     size_t size, same;
 } Drawn;
 
-/* Starts threads; each makes its device of so many threads. Where memory ends, `least' of them will do.
+/* Starts threads; each makes its device of so many threads. Where memory ends, `least' of them will
+ * do.
  * returns ITEMS_USAGE: there is no such device here; owns: the caller, until drawers_stop */
 ItemsCode drawers_start(const ItemWork *work, const GpDeviceDesc *device, uint32_t count,
                         uint32_t least, uint32_t threads_each, Drawers **drawers, GpError *error);
 
 /* Ends them when they have drawn what they have. NULL-safe, sets NULL.
- * in     wait: until then; else those at work go on alone, with what the work reads, until the process ends */
+ * in     wait: until then; else those at work go on alone, with what the work reads, until the
+ *        process ends */
 void drawers_stop(Drawers **drawers, bool wait);
 
 /* The first thread from `from' on that has nothing to do, or -1. */

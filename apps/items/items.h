@@ -1,9 +1,9 @@
 /* Work that can be split: a list of items, each drawn to bytes by anyone, and taken in one place.
  *
- * A command says what its items are, and nothing of who draws them. Here threads do, each with a device of
- * its own; the program `glasspipe-mpi' puts its runner in their place, which lets other processes draw, on
- * this machine or on others. What an item is drawn to depends on nothing but the item, so that all of them
- * give the same.
+ * A command says what its items are, and nothing of who draws them. Here threads do, each with a
+ * device of its own; the program `glasspipe-mpi' puts its runner in their place, which lets other
+ * processes draw, on this machine or on others. What an item is drawn to depends on nothing but the
+ * item, so that all of them give the same.
  */
 #ifndef APPS_ITEMS_ITEMS_H
 #define APPS_ITEMS_ITEMS_H
@@ -30,8 +30,8 @@ typedef struct ItemTools {
     GpPool *pool; /* of as many threads as the device */
 } ItemTools;
 
-/* A list of items. `context' is the command's own; what `draw' and `tell' read of it is made before, from
- * the command's arguments and files alone, so that every process has the same. */
+/* A list of items. `context' is the command's own; what `draw' and `tell' read of it is made
+ * before, from the command's arguments and files alone, so that every process has the same. */
 typedef struct ItemWork {
     uint32_t count;
     bool in_order; /* items are taken in their order, else as they come */
@@ -66,8 +66,8 @@ typedef struct ItemRun {
     void (*progress)(const void *user, uint32_t done, uint32_t total, const char *name);
     const void *user; /* of progress */
 
-    /* Ends the process with a message, where an item never ends: it reads what the caller would free. NULL:
-     * items_run returns all the same, for callers who free nothing. */
+    /* Ends the process with a message, where an item never ends: it reads what the caller would
+     * free. NULL: items_run returns all the same, for callers who free nothing. */
     void (*end)(int code, const char *line);
 } ItemRun;
 
@@ -84,10 +84,11 @@ static inline ItemsCode items_code(GpResult result)
                                             : ITEMS_INPUT;
 }
 
-/* Items that are drawn at once, at most: what work should be split into. The same in all processes. */
+/* Items that are drawn at once, at most: what work should be split into. The same in all
+ * processes. */
 uint32_t items_at_once(const ItemRun *run);
 
-/* --- who runs them ------------------------------------------------------------------------------ */
+/* --- who runs them ---------------------------------------------------------------------------- */
 
 typedef struct ItemRunner {
     ItemsCode (*run)(const ItemWork *work, const ItemRun *run, GpError *error);

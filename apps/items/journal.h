@@ -1,8 +1,8 @@
 /* What was drawn, in a file, so that a run that was ended can go on.
  *
- * A line of text, the key of the work, and of each item its number, size, hash and bytes, one after the
- * other as they came. A last one that is not whole counts as not drawn. Integers have the machine's byte
- * order: it is read where it was written.
+ * A line of text, the key of the work, and of each item its number, size, hash and bytes, one after
+ * the other as they came. A last one that is not whole counts as not drawn. Integers have the
+ * machine's byte order: it is read where it was written.
  */
 #ifndef APPS_ITEMS_JOURNAL_H
 #define APPS_ITEMS_JOURNAL_H

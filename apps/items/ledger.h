@@ -1,7 +1,7 @@
 /* The book of a run: which item is whose turn, what has come, and what becomes of it.
  *
- * Items are handed out the longest first, or in their order; results are checked where they are to be,
- * noted in the journal, and taken. Workers are numbers, of threads or of processes.
+ * Items are handed out the longest first, or in their order; results are checked where they are to
+ * be, noted in the journal, and taken. Workers are numbers, of threads or of processes.
  */
 #ifndef APPS_ITEMS_LEDGER_H
 #define APPS_ITEMS_LEDGER_H
@@ -14,7 +14,8 @@ typedef struct Ledger Ledger;
 
 /* Opens the book, and takes what the journal has.
  * in     workers: their number; items of work in order are handed out at most two of each ahead
- * returns the journal's failure, or that to take what it has. owns: the caller, until ledger_close */
+ * returns the journal's failure, or that to take what it has. owns: the caller, until
+ *        ledger_close */
 ItemsCode ledger_open(const ItemWork *work, const ItemRun *run, int workers, Ledger **ledger,
                       GpError *error);
 

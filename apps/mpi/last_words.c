@@ -78,7 +78,8 @@ static void wait_ms(int ms)
     nanosleep(&(struct timespec){ .tv_nsec = ms * 1000000L }, NULL);
 }
 
-/* mpirun may notice by its connection: one who dies closes that first, and is a process a little longer. */
+/* mpirun may notice by its connection: one who dies closes that first, and is a process a little
+ * longer. */
 static int find_gone(void)
 {
     for (int look = 0; look < 20; look++) {
@@ -120,7 +121,7 @@ void last_words_say(int number)
     }
     used = add(line, used, "; --resume goes on from what is done\n");
     (void)!write(STDERR_FILENO, line, used);
-    /* mpirun gives on what it reads, and may not look again at one who is gone; busy processors let it wait. After
-     * a second it ends whoever is left. */
+    /* mpirun gives on what it reads, and may not look again at one who is gone; busy processors let
+     * it wait. After a second it ends whoever is left. */
     wait_ms(500);
 }

@@ -19,8 +19,9 @@ static volatile sig_atomic_t left; /* no rank has anything to say any more */
 
 /* --- joining and leaving ---------------------------------------------------------------------- */
 
-/* At exit, from wherever: rank 0 lets the others go, and all leave together. The first whose code is not 0
- * makes mpirun end those that are still at it, so all have to know before that nobody is missing. */
+/* At exit, from wherever: rank 0 lets the others go, and all leave together. The first whose code
+ * is not 0 makes mpirun end those that are still at it, so all have to know before that nobody is
+ * missing. */
 static void leave(void)
 {
     if (own_rank == 0)
@@ -39,7 +40,8 @@ static void say_last_words(int number)
         runner_say_last_words(number);
 }
 
-/* Threads that a rank should draw by: those of its processors that no other rank on its host has. */
+/* Threads that a rank should draw by: those of its processors that no other rank on its host
+ * has. */
 static uint32_t threads_here(int ranks_on_host)
 {
     const int bound = machine_processors();

@@ -96,7 +96,8 @@ static void take_message(Given *given)
     }
 }
 
-/* Draws until rank 0 has no more, and ends the process: what comes after its items is rank 0's alone. */
+/* Draws until rank 0 has no more, and ends the process: what comes after its items is rank 0's
+ * alone. */
 static ItemsCode draw_for_rank_0(const ItemWork *work, const ItemRun *run, GpError *error)
 {
     static Given given;
@@ -203,8 +204,8 @@ static ItemsCode take_messages(Job *job, bool *any, GpError *error)
     return code;
 }
 
-/* The longest to the others, the shortest here: where one is at work here, messages have to wait for
- * nobody, but its end is the run's. */
+/* The longest to the others, the shortest here: where one is at work here, messages have to wait
+ * for nobody, but its end is the run's. */
 static void hand_out(Job *job)
 {
     uint32_t item;

@@ -1,15 +1,17 @@
 /* Oriented boxes over patches: a tree whose nodes are classified as wholes.
  *
  * source Chen et al., "A unified hardware-accelerated adaptive EWA splatting algorithm", Chinese
- *        Journal of Computers 2009, 4.2: the filter of the points of a box is decided where its corners
- *        agree, and in its halves where they do not; boxes after Gottschalk et al., SIGGRAPH 1996
+ *        Journal of Computers 2009, 4.2: the filter of the points of a box is decided where its
+ *        corners agree, and in its halves where they do not; boxes after Gottschalk et al.,
+ *        SIGGRAPH 1996
  */
 #ifndef APPS_POINTS_BOXES_H
 #define APPS_POINTS_BOXES_H
 
 #include "apps/points/level.h"
 
-/* Nodes in preorder: the first half of a node follows it, the second stands where the first ends. */
+/* Nodes in preorder: the first half of a node follows it, the second stands where the first
+ * ends. */
 typedef struct BoxNode {
     PatchBox box;                    /* holds the boxes of its patches */
     uint32_t first, count;           /* patches */
@@ -31,8 +33,10 @@ void box_tree_free(BoxTree *tree); /* zeroes; a zeroed one is fine */
 typedef int (*BoxClassFn)(const void *user, const PointView *view, const BoxNode *node,
                           const BoxPlace *place);
 
-/* Paper 003's (10) by the depths of the corners and by all radii, for surfels that face the eye (cos theta = 1), distances
- * in radii that take rh pixels: 0 reconstruction, nearer than c_min; 1 low-pass, farther than c_max; 2 both.
+/* Paper 003's (10) by the depths of the corners and by all radii, for surfels that face the eye
+ * (cos theta = 1), distances
+ * in radii that take rh pixels: 0 reconstruction, nearer than c_min; 1 low-pass, farther than
+ *      c_max; 2 both.
  * in   user: DistanceRule */
 typedef struct DistanceRule {
     double low_pass;  /* standard deviation of the filter, pixels */
@@ -42,8 +46,8 @@ typedef struct DistanceRule {
 int box_class_by_distance(const void *user, const PointView *view, const BoxNode *node,
                           const BoxPlace *place);
 
-/* Classifies all patches but those whose boxes, as far down as they had to be asked, are outside of the
- * frustum.
+/* Classifies all patches but those whose boxes, as far down as they had to be asked, are outside of
+ * the frustum.
  * in     undecided: the class of a patch of which no class can be said
  * out    class_of: [patch_count], -1 where a patch is outside
  * out    returns the number of nodes that were looked at */

@@ -104,7 +104,8 @@ static GpResult check_head(const char *path, const GpFile *file, uint64_t key, G
     return GP_OK;
 }
 
-/* Whether patches and levels refer to what is there: a file with a right hash may still be forged. */
+/* Whether patches and levels refer to what is there: a file with a right hash may still be
+ * forged. */
 static bool refers_inside(const Patches *patches)
 {
     const int deepest = tree_depth(patches->leaf_count);

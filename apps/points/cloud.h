@@ -15,9 +15,10 @@ typedef struct CloudFacts {
     CellFacts cells;
 } CloudFacts;
 
-/* A surfel for each place, of the first point there, in their order. Normals are made unit length; those
- * that are missing or zero are estimated (planes.h), radii that are missing or zero are those that
- * close the surface (cells.h); so are the areas that points stand for. Without colours they are white.
+/* A surfel for each place, of the first point there, in their order. Normals are made unit length;
+ * those that are missing or zero are estimated (planes.h), radii that are missing or zero are those
+ * that close the surface (cells.h); so are the areas that points stand for. Without colours they
+ * are white.
  *
  * in     all: finds facts->planes.components also where no normal is missing, which takes a while
  * out    surfels and facts: untouched on failure

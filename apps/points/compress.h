@@ -1,15 +1,16 @@
-/* Surfels in 8 bytes, in the printed form and in a better one: shaders_c/points/compressed_shared.h has
- * the bits, and takes them apart in the vertex shader.
+/* Surfels in 8 bytes, in the printed form and in a better one: shaders_c/points/compressed_shared.h
+ * has the bits, and takes them apart in the vertex shader.
  *
  * A surfel is off from what it was by at most (of a patch's box with sides a, b, c and radii from r
  * to R; all of it but for roundings of floats):
  *
- *               printed                                   ours
- *     place     a/4096, b/4096, c/2048 along the world's  a/4094, b/4094, c/2046 along the box's own
- *               axes: the box is the world's              axes: c is the thickness of the piece of surface
- *     normal    0.787 degrees                             0.32 degrees
- *     radius    half the way to the next of 256 clusters  a factor of (R/r)^(1/254)
- *     share     1/30 of the span in the patch             1/254
+ *             printed                                   ours
+ *   place     a/4096, b/4096, c/2048 along the world's  a/4094, b/4094, c/2046 along the box's
+ *             axes: the box is the world's              own axes: c is the thickness of the piece
+ *                                                       of surface
+ *   normal    0.787 degrees                             0.32 degrees
+ *   radius    half the way to the next of 256 clusters  a factor of (R/r)^(1/254)
+ *   share     1/30 of the span in the patch             1/254
  *
  * A model keeps 8 bytes for each of its surfels and at most a third more for parents, and about 300
  * for each patch: less than 11 bytes a point in patches of 2048; with colours 3 bytes more for each

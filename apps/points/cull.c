@@ -96,9 +96,9 @@ EyeWay eye_way(const PointView *view, const PatchBox *box, const float axis[3])
     return (EyeWay){ cosine, sqrt(1 - cosine * cosine), sqrt(1 - spread * spread), spread };
 }
 
-/* With v the way from the box's centre to the eye, a the cone's axis and b the angle by which ways from
- * other places of the ball around the box differ from v at most, an angle between a normal and a way is
- * that of a and v, more or less at most the cone's angle and b.
+/* With v the way from the box's centre to the eye, a the cone's axis and b the angle by which ways
+ * from other places of the ball around the box differ from v at most, an angle between a normal and
+ * a way is that of a and v, more or less at most the cone's angle and b.
  * source Shirman and Abi-Ezzi, "The cone of normals technique", Eurographics 1993 */
 Facing way_facing(const EyeWay *way, float cone_cosine, float cone_sine)
 {

@@ -1,8 +1,8 @@
 /* What of a view a patch is in: in front of it, inside its frustum, facing it.
  *
- * A surfel counts as seen where its disc, out to `reach` radii, is in the frustum, whose sides stand
- * `margin` pixels outside of the picture's, and where it faces the eye. The tests here never lose
- * such a surfel.
+ * A surfel counts as seen where its disc, out to `reach` radii, is in the frustum, whose sides
+ * stand `margin` pixels outside of the picture's, and where it faces the eye. The tests here never
+ * lose such a surfel.
  */
 #ifndef APPS_POINTS_CULL_H
 #define APPS_POINTS_CULL_H

@@ -4,8 +4,8 @@
 
 #include "pipeline/io/mesh/mesh.h"
 
-/* Sides are numbered by triangle: 3 t + i goes from corner i to corner i + 1. A side begins at the corner of its own
- * number, and ends at this. */
+/* Sides are numbered by triangle: 3 t + i goes from corner i to corner i + 1. A side begins at the
+ * corner of its own number, and ends at this. */
 static inline size_t side_end(size_t side)
 {
     return side % 3 < 2 ? side + 1 : side - 2;
@@ -15,7 +15,8 @@ static inline size_t side_end(size_t side)
 typedef void (*EdgeFn)(void *context, const uint32_t ends[2], const uint32_t *sides, size_t count);
 
 /* Visits the edges, by their lower vertex, then by their higher.
- * in     mesh: its counts matter; corners: [3 * triangle_count] its indices, or as corners_weld makes them
+ * in     mesh: its counts matter; corners: [3 * triangle_count] its indices, or as corners_weld
+ *        makes them
  * errors GP_ERROR_MEMORY: none was visited */
 GpResult edges_visit(const GpMesh *mesh, const uint32_t *corners, EdgeFn visit, void *context);
 

@@ -29,7 +29,7 @@ void facts_of_surfels(const Surfels *surfels, PointsFacts *facts)
     facts->radius = radius;
 }
 
-/* --- meshes ------------------------------------------------------------------------------------- */
+/* --- meshes ----------------------------------------------------------------------------------- */
 
 static uint32_t root_of(uint32_t *parents, uint32_t vertex)
 {
@@ -102,7 +102,7 @@ GpResult facts_of_mesh(const GpMesh *mesh, PointsFacts *facts)
     return has_room ? GP_OK : GP_ERROR_MEMORY;
 }
 
-/* --- clouds ------------------------------------------------------------------------------------- */
+/* --- clouds ----------------------------------------------------------------------------------- */
 
 void facts_of_cloud(const CloudFacts *cloud, const GpPoints *points, uint32_t surfels,
                     PointsFacts *facts)
@@ -119,7 +119,7 @@ void facts_of_cloud(const CloudFacts *cloud, const GpPoints *points, uint32_t su
     facts->components = cloud->planes.components;
 }
 
-/* --- the report --------------------------------------------------------------------------------- */
+/* --- the report ------------------------------------------------------------------------------- */
 
 static void add_count(Text *lines, const char *what, uint32_t count, const char *unit)
 {

@@ -2,8 +2,9 @@
 
 #include <math.h>
 
-/* R = s^2 (f/z)^2 P (I - n n^T) P^T with P = (I | -(x, y)/z): its larger eigenvalue is at most that of
- * P P^T, 1 + (x^2 + y^2)/z^2, and the product of both is s^4 (f/z)^4 (1 + (x^2 + y^2)/z^2) cos^2. */
+/* R = s^2 (f/z)^2 P (I - n n^T) P^T with P = (I | -(x, y)/z): its larger eigenvalue is at most that
+ * of P P^T, 1 + (x^2 + y^2)/z^2, and the product of both is s^4 (f/z)^4 (1 + (x^2 + y^2)/z^2)
+ * cos^2. */
 SplatExtent splat_extent(const PointView *view, double nearest, double farthest, double least,
                          double most, const Facing *facing)
 {

@@ -1,8 +1,9 @@
 /* A model's levels as others walk them: QSplat's recursion, and sequential point trees.
  *
- * Both stop at the nodes whose discs, as wide as all that is below them, are seen at most `detail` pixels
- * wide, and at the leaves. The one goes down patch by patch on the processor; the other has all nodes in
- * one array by falling size of their parents, of which a prefix holds all that is wanted.
+ * Both stop at the nodes whose discs, as wide as all that is below them, are seen at most `detail`
+ * pixels wide, and at the leaves. The one goes down patch by patch on the processor; the other has
+ * all nodes in one array by falling size of their parents, of which a prefix holds all that is
+ * wanted.
  * source Rusinkiewicz and Levoy, "QSplat", SIGGRAPH 2000; Dachsbacher, Vogelgsang and Stamminger,
  *        "Sequential point trees", SIGGRAPH 2003
  */
@@ -43,8 +44,8 @@ GpResult sequence_build(const Patches *patches, Sequence *sequence);
 void sequence_free(Sequence *sequence); /* zeroes; a zeroed one is fine */
 
 /* How many nodes, from the first, may be wanted.
- * in   nearest: depth of the nearest surfel, > 0; per_radius: depth at which a radius of 1 is seen as wide
- *      as the detail asks */
+ * in   nearest: depth of the nearest surfel, > 0; per_radius: depth at which a radius of 1 is seen
+ *      as wide as the detail asks */
 uint32_t sequence_prefix(const Sequence *sequence, double nearest, double per_radius);
 
 #endif

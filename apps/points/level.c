@@ -34,12 +34,12 @@ void level_selection_free(LevelSelection *selection)
 
 /* --- a patch in a view ------------------------------------------------------------------------ */
 
-/* Where a level begins to give way to the next finer, as a multiple of the blur at which that is done: the
- * wider, the slower the change, and the more surfels are finer than they need to be. */
+/* Where a level begins to give way to the next finer, as a multiple of the blur at which that is
+ * done: the wider, the slower the change, and the more surfels are finer than they need to be. */
 #define BAND 1.5
 
-/* 1 where the patch is seen from its edge, falling to 0 where it is turned by 30 degrees. By its mean
- * normal: where a model is rough, some normals of every patch are square to the view. */
+/* 1 where the patch is seen from its edge, falling to 0 where it is turned by 30 degrees. By its
+ * mean normal: where a model is rough, some normals of every patch are square to the view. */
 static double edge_of(const EyeWay *way)
 {
     const double cosine = fabs(way->cosine);

@@ -1,12 +1,13 @@
 /* Which surfels of a model to draw: for each patch that may be seen, one range.
  *
- * A patch is drawn at the coarsest level that adds at most `pixels` to the standard deviation of its
- * splats where the patch is nearest; less where the surface bends or is seen from its edge. Before it
- * has to give way to the next finer level, its nodes do so one after the other (patch_window): a move of
- * the camera changes few surfels at a time, and no change of a level is seen.
+ * A patch is drawn at the coarsest level that adds at most `pixels` to the standard deviation of
+ * its splats where the patch is nearest; less where the surface bends or is seen from its edge.
+ * Before it has to give way to the next finer level, its nodes do so one after the other
+ * (patch_window): a move of the camera changes few surfels at a time, and no change of a level is
+ * seen.
  *
- * Box and cone are those of what would be drawn: a few wrong normals among leaves keep their patch from
- * being culled only where it is drawn by its leaves.
+ * Box and cone are those of what would be drawn: a few wrong normals among leaves keep their patch
+ * from being culled only where it is drawn by its leaves.
  *
  * DEVIATES: the thesis takes the largest radius of a patch. One long triangle among thousands would
  * keep all of them fine; and what matters of a level is how much wider it is than the leaves.

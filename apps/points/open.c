@@ -30,7 +30,7 @@ static GpResult tell(const Opening *opening, GpResult result)
     return result;
 }
 
-/* --- points ------------------------------------------------------------------------------------- */
+/* --- points ----------------------------------------------------------------------------------- */
 
 static GpResult open_points(Opening *opening, const GpPoints *points)
 {
@@ -58,7 +58,7 @@ static GpResult open_cloud(Opening *opening, const GpPoints *points)
     return open_points(opening, points);
 }
 
-/* --- meshes ------------------------------------------------------------------------------------- */
+/* --- meshes ----------------------------------------------------------------------------------- */
 
 static GpResult open_samples(Opening *opening, const GpMesh *mesh)
 {
@@ -152,10 +152,10 @@ static GpResult open_copy(Opening *opening, const GpMesh *mesh)
     return result == GP_OK ? open_mesh(opening, &copy) : result;
 }
 
-/* --- files -------------------------------------------------------------------------------------- */
+/* --- files ------------------------------------------------------------------------------------ */
 
-/* Vertices without faces, as OFF and OBJ files may have them. owns: points borrows the arrays but for
- * the colours */
+/* Vertices without faces, as OFF and OBJ files may have them. owns: points borrows the arrays but
+ * for the colours */
 static GpResult open_lone_vertices(Opening *opening, const GpMesh *mesh)
 {
     GpPoints points = { .positions = mesh->positions,

@@ -60,8 +60,8 @@ typedef struct Connection {
     bool *twisted; /* [triangle_count] something does not fit there */
 } Connection;
 
-/* Across an edge of two triangles they turn one way where they pass it in opposite directions. Where
- * more meet, the file's word is taken for how they turn. */
+/* Across an edge of two triangles they turn one way where they pass it in opposite directions.
+ * Where more meet, the file's word is taken for how they turn. */
 static void connect_edge(void *context, const uint32_t ends[2], const uint32_t *sides, size_t count)
 {
     const Connection *connection = context;

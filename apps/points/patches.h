@@ -2,7 +2,8 @@
  *
  * The tree of tree.h is cut into patches: nodes small enough, and split further where the surface
  * bends. Of each patch every second depth is kept, from the depth whose nodes have 4 to 8 leaves
- * upwards, and the leaves; all of them are surfels, coarsest level first, so that a level is a range:
+ * upwards, and the leaves; all of them are surfels, coarsest level first, so that a level is a
+ * range:
  *
  *     surfels:  [ patch 0: level 0 | level 1 | ... | leaves ][ patch 1: ...
  *
@@ -13,8 +14,8 @@
  * At most a third more surfels than leaves are kept.
  *
  * A parent's position, normal and colour are the means of its leaves', by their area; its radius is
- * that of a ball that holds the discs of all its leaves, so its disc covers theirs and no hole opens;
- * its share makes its area that of its leaves together, as seen along its normal.
+ * that of a ball that holds the discs of all its leaves, so its disc covers theirs and no hole
+ * opens; its share makes its area that of its leaves together, as seen along its normal.
  *
  * source Dong Zhao's thesis, 3.2.2: "linear binary tree"; the ranges and the depths left out: ours
  */
@@ -24,7 +25,8 @@
 #include "apps/base/bounds.h"
 #include "apps/points/tree.h"
 
-/* A box along axes of its own; positions are in it, and discs of radius r not farther out than r. */
+/* A box along axes of its own; positions are in it, and discs of radius r not farther out than
+ * r. */
 typedef struct PatchBox {
     float centre[3], axes[3][3], half[3]; /* axes: orthonormal, the longest spread first */
 } PatchBox;
@@ -38,8 +40,8 @@ typedef struct PatchLevel {
     uint32_t first, count; /* of the surfels */
     float least_radius, most_radius, mean_radius;
     float least_width, most_width; /* surfel_width */
-    /* How much wider its splats are than the leaves': the root of the difference of the squares of the
-     * mean widths, by area. 0: the leaves, and levels that are as fine. */
+    /* How much wider its splats are than the leaves': the root of the difference of the squares of
+     * the mean widths, by area. 0: the leaves, and levels that are as fine. */
     float blur;
     float cone_cosine, cone_sine; /* of its own cone, about the axis of the patch's */
 } PatchLevel;
@@ -87,8 +89,8 @@ static inline const PatchLevel *patch_levels(const Patches *patches, const Patch
     return &patches->levels[patch->first_level];
 }
 
-/* The first child of node `i` of a level that is not the last, counted in the next level; of the count
- * of nodes: the next level's count. */
+/* The first child of node `i` of a level that is not the last, counted in the next level; of the
+ * count of nodes: the next level's count. */
 uint32_t patch_child(const Patches *patches, const Patch *patch, uint32_t level, uint32_t i);
 
 /* Surfels that show a patch once: a level whose first `done` nodes gave way to their children.

@@ -37,7 +37,8 @@ static const float *corner_of(const GpMesh *mesh, uint32_t triangle, int corner)
     return mesh->positions + 3 * (size_t)mesh->indices[3 * (size_t)triangle + (size_t)corner];
 }
 
-/* Weights of the corners for a candidate: a sequence in a square, of which one half is folded over. */
+/* Weights of the corners for a candidate: a sequence in a square, of which one half is folded
+ * over. */
 static void weights_of(uint32_t number, double weight[3])
 {
     const double u = 0.5 + number * 0.7548776662466927, v = 0.5 + number * 0.5698402909980532;
@@ -81,7 +82,7 @@ static void lay_out(Sampler *sampler, double area)
     }
 }
 
-/* --- distances ---------------------------------------------------------------------------------- */
+/* --- distances -------------------------------------------------------------------------------- */
 
 /* The cube of a place that is `shift` cubes farther along each axis. */
 static void cube_of(const Sampler *sampler, const float position[3], double shift, int64_t cube[3])
@@ -123,8 +124,8 @@ static bool looks_the_same_way(const float a[3], const float b[3])
            0;
 }
 
-/* Squared distance to the nearest sample, at least where it is below the square of half a cube's side:
- * so near are only those of the eight cubes around the nearest corner of the grid. */
+/* Squared distance to the nearest sample, at least where it is below the square of half a cube's
+ * side: so near are only those of the eight cubes around the nearest corner of the grid. */
 static float nearest_sample(const Sampler *sampler, const Candidate *candidate)
 {
     int64_t at[3];
@@ -160,8 +161,8 @@ static void take(Sampler *sampler, uint32_t number)
     candidate->near2 = 0;
 }
 
-/* A sweep over the surface, which passes by most candidates: neighbours in memory follow each other, but
- * are hardly ever near enough on the surface to crowd. */
+/* A sweep over the surface, which passes by most candidates: neighbours in memory follow each
+ * other, but are hardly ever near enough on the surface to crowd. */
 static void sweep(Sampler *sampler, uint32_t first, double limit2)
 {
     for (uint64_t i = first; i < sampler->candidate_count && sampler->count < sampler->wanted;
@@ -174,8 +175,8 @@ static void sweep(Sampler *sampler, uint32_t first, double limit2)
     }
 }
 
-/* Candidates are looked at again only when the distance has become less than what they were found at:
- * samples only become more. */
+/* Candidates are looked at again only when the distance has become less than what they were found
+ * at: samples only become more. */
 static void take_all(Sampler *sampler)
 {
     double distance = sampler->cube / 2;
@@ -185,7 +186,7 @@ static void take_all(Sampler *sampler)
     }
 }
 
-/* --- all ---------------------------------------------------------------------------------------- */
+/* --- all -------------------------------------------------------------------------------------- */
 
 static GpResult copy_samples(const Sampler *sampler, GpPoints *points)
 {

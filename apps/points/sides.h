@@ -1,5 +1,5 @@
-/* Which triangles meet at an edge, wherever vertices at one place are counted as one: files and patches
- * of surfaces have several there, for normals or texture coordinates. */
+/* Which triangles meet at an edge, wherever vertices at one place are counted as one: files and
+ * patches of surfaces have several there, for normals or texture coordinates. */
 #ifndef APPS_POINTS_SIDES_H
 #define APPS_POINTS_SIDES_H
 
@@ -9,8 +9,8 @@
 
 /* Makes one vertex of those at a place.
  * in     mesh: as mesh_keep_referenced leaves it
- * out    welded: [3 * triangle_count] the mesh's indices, but the first vertex at each place; NULL where
- *        no two are at one, so that the mesh's own are that
+ * out    welded: [3 * triangle_count] the mesh's indices, but the first vertex at each place; NULL
+ *        where no two are at one, so that the mesh's own are that
  * errors GP_ERROR_MEMORY
  * owns   the caller, until gp_free */
 GpResult corners_weld(const GpMesh *mesh, uint32_t **welded);

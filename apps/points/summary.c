@@ -10,8 +10,8 @@ static void widen(const float from[3], double to[3])
         to[i] = (double)from[i];
 }
 
-/* Rounds, and gives what was rounded to. Not inlined: gcc 12 at -O2 turns pairs of doubles into floats
- * and back into the doubles that they were, which is another number. */
+/* Rounds, and gives what was rounded to. Not inlined: gcc 12 at -O2 turns pairs of doubles into
+ * floats and back into the doubles that they were, which is another number. */
 __attribute__((noinline)) static void round_to_float(double values[3], float rounded[3])
 {
     volatile float *through = rounded;
@@ -152,8 +152,8 @@ static Mixture mix(const Surfel *leaves, uint32_t count)
     return sum;
 }
 
-/* A ball about all leaves is much wider than the piece of surface that they are, and discs as wide hide
- * what stands beside it; those of this share still close a lattice of squares. */
+/* A ball about all leaves is much wider than the piece of surface that they are, and discs as wide
+ * hide what stands beside it; those of this share still close a lattice of squares. */
 #define LEAST_SHARE 0.45
 
 Surfel surfel_parent(const Surfel *leaves, uint32_t count)

@@ -18,8 +18,8 @@ SurfelSummary surfels_summary(const Surfel *surfels, const uint32_t *order, uint
 /* The axis of a cone: the mean of the normals. */
 void summary_axis(const SurfelSummary *summary, float axis[3]);
 
-/* The cosine and sine of the least cone about an axis that holds the normals; -1 and 0 where it does not
- * end before 90 degrees. */
+/* The cosine and sine of the least cone about an axis that holds the normals; -1 and 0 where it
+ * does not end before 90 degrees. */
 void surfels_cone(const Surfel *surfels, uint32_t count, const float axis[3], float *cosine,
                   float *sine);
 

@@ -25,8 +25,8 @@ typedef struct Surfel {
     uint8_t share;
 } Surfel;
 
-/* Where a surfel on a crease ends: its part of its disc is bounded by lines through its centre. As vertex
- * streams take it: 32 bytes. */
+/* Where a surfel on a crease ends: its part of its disc is bounded by lines through its centre. As
+ * vertex streams take it: 32 bytes. */
 typedef struct SurfelClip {
     /* x y z: unit directions of the model, in the surfel's plane and square to a line each, to
      * where the surfel is. w of the first: 1 where it is inwards of both, -1 where of either; of
@@ -42,8 +42,8 @@ typedef struct Surfels {
     bool had_normals, had_radii, had_colors; /* the file stored them; what it did not was made */
 } Surfels;
 
-/* What a surfel's Gaussian is as wide as, in units of the splats' spread: its radius, or less where its
- * disc is wider than its area needs. */
+/* What a surfel's Gaussian is as wide as, in units of the splats' spread: its radius, or less where
+ * its disc is wider than its area needs. */
 static inline float surfel_width(const Surfel *surfel)
 {
     const float share = SPLAT_PER_SHARE / 255 * (float)surfel->share;

@@ -1,9 +1,9 @@
 /* One complete binary tree over all surfels, split by the covariance: the order of its leaves.
  *
- * Node k of depth d holds leaves floor(k n / 2^d) to floor((k + 1) n / 2^d): halves differ by one at
- * most, every depth but the last is full, and no node needs to be stored to be found. The leaves of
- * a node are parted at the median along the axis of their largest spread, so that nodes are about
- * as long as wide.
+ * Node k of depth d holds leaves floor(k n / 2^d) to floor((k + 1) n / 2^d): halves differ by one
+ * at most, every depth but the last is full, and no node needs to be stored to be found. The leaves
+ * of a node are parted at the median along the axis of their largest spread, so that nodes are
+ * about as long as wide.
  *
  * source Dong Zhao's thesis, 3.2.2; Pauly, Gross and Kobbelt, "Efficient simplification of
  *        point-sampled surfaces", IEEE Visualization 2002, for the plane

@@ -27,13 +27,13 @@ static inline double triangle_area(const float a[3], const float b[3], const flo
     return sqrt(x * x + y * y + z * z) / 2;
 }
 
-/* The largest distance of any of its points to the nearest corner: around corners, discs of that radius
- * and no smaller leave no hole of it.
+/* The largest distance of any of its points to the nearest corner: around corners, discs of that
+ * radius and no smaller leave no hole of it.
  *
- * Each corner is nearest in a part that perpendicular bisectors bound. Where no angle is obtuse, the
- * parts meet at the centre of the circumscribed circle. Else that lies outside, and the farthest points
- * are where the bisectors of the short sides meet the long one: on it, at half the short side's length
- * divided by the cosine of the angle in between.
+ * Each corner is nearest in a part that perpendicular bisectors bound. Where no angle is obtuse,
+ * the parts meet at the centre of the circumscribed circle. Else that lies outside, and the
+ * farthest points are where the bisectors of the short sides meet the long one: on it, at half the
+ * short side's length divided by the cosine of the angle in between.
  * in  p, q, r: squared lengths of the sides */
 static inline double triangle_reach(double p, double q, double r)
 {

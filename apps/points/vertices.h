@@ -5,12 +5,12 @@
 #include "apps/points/surfels.h"
 #include "pipeline/io/mesh/mesh.h"
 
-/* A surfel a vertex, in their order, with its normal and colour. It stands for a third of the area of
- * the triangles at it.
+/* A surfel a vertex, in their order, with its normal and colour. It stands for a third of the area
+ * of the triangles at it.
  *
- * The radius is one for all: the smallest at which discs around the vertices leave no hole, which is the
- * largest triangle_reach. Or (each) a vertex has that of the triangles at it, so that a few large
- * triangles do not widen all discs.
+ * The radius is one for all: the smallest at which discs around the vertices leave no hole, which
+ * is the largest triangle_reach. Or (each) a vertex has that of the triangles at it, so that a few
+ * large triangles do not widen all discs.
  * in     mesh: with an area, as mesh_keep_referenced leaves it
  * errors GP_ERROR_MEMORY
  * owns   the caller, until surfels_free */

@@ -11,9 +11,9 @@ typedef struct SceneBlended {
     GpOrder order;
 } SceneBlended;
 
-/* Takes them out of the last pass where it has an order by depth, and splats, volumes or shadows: opaque
- * things come first, then splats and volumes, and what is blended at the end, each pixel by depth. In
- * other passes there is nothing to take.
+/* Takes them out of the last pass where it has an order by depth, and splats, volumes or shadows:
+ * opaque things come first, then splats and volumes, and what is blended at the end, each pixel by
+ * depth. In other passes there is nothing to take.
  * in   pass: for failures, of an order that this is not */
 SceneBlended scene_take_blended(Loader *loader, Node *pass);
 

@@ -6,7 +6,8 @@
 #include "pipeline/base/base.h"
 
 /* Members that are not there stay as they were.
- * errors those of reader_open; GP_ERROR_FORMAT with file, line and member; camera is then untouched */
+ * errors those of reader_open; GP_ERROR_FORMAT with file, line and member; camera is then
+ *      untouched */
 GpResult camera_read_file(const char *path, Camera *camera, GpError *error);
 
 #endif

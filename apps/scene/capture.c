@@ -13,8 +13,8 @@ static double depth_of(const Camera *camera, double value)
 
 /* --- what is drawn ---------------------------------------------------------------------------- */
 
-/* What a pixel's stencil says, from PASSED_NONE on: as fragments come, the nearest first, one is passed; of
- * those behind it the first that faces the eye is taken; then all are left. */
+/* What a pixel's stencil says, from PASSED_NONE on: as fragments come, the nearest first, one is
+ * passed; of those behind it the first that faces the eye is taken; then all are left. */
 enum { PASSED_ONE = 0, PASSED_NONE = 1, LEAST_TAKEN = 2 };
 
 /* Counts down, and below 0 there is 255. Backs are passed, but never taken. */

@@ -46,8 +46,8 @@ static double height_above(const Plane *plane, const double point[3])
     return vector_dot(plane->normal, point) + plane->distance;
 }
 
-/* The plane of a triangle, turned to the light. False where there is none, or the light is on neither
- * side. out area: twice */
+/* The plane of a triangle, turned to the light. False where there is none, or the light is on
+ * neither side. out area: twice */
 static bool find_plane(const Search *search, double corners[3][3], Plane *plane, double *area)
 {
     const SceneLight *light = search->light;
@@ -111,7 +111,8 @@ static bool has_all_above(const Search *search, const Plane *plane)
     return true;
 }
 
-/* The vertices farthest along the axes and their diagonals, both ways: most planes have one of them below. */
+/* The vertices farthest along the axes and their diagonals, both ways: most planes have one of them
+ * below. */
 static void find_farthest(Search *search)
 {
     enum { WAYS = DIRECTIONS / 2 };
@@ -216,7 +217,8 @@ static void find_pieces(const GpGeometry *geometry, const bool *receives, uint32
         casts[place[geometry->indices[3 * i]]] |= !receives[i];
 }
 
-/* Leaves out the pieces all of whose triangles receive. Without memory all cast, and the frame knows. */
+/* Leaves out the pieces all of whose triangles receive. Without memory all cast, and the frame
+ * knows. */
 static SceneCaster choose_triangles(const GpDraw *draw, const bool *receives, Frame *frame)
 {
     const GpGeometry *geometry = &draw->geometry;

@@ -19,7 +19,7 @@ typedef struct OwnSpace {
     double scale, origin[3];
 } OwnSpace;
 
-/* --- to the world ------------------------------------------------------------------------------ */
+/* --- to the world ----------------------------------------------------------------------------- */
 
 static uint32_t pixel_count(const DepthImage *image)
 {
@@ -40,8 +40,9 @@ static bool find_point(const DepthImage *image, uint32_t pixel, double point[3])
     return true;
 }
 
-/* All points of all images, each with a normal, and behind them the first again three times, whose normals
- * are the axes. NULL: there is no point, or no memory, of which the object's reader knows. */
+/* All points of all images, each with a normal, and behind them the first again three times, whose
+ * normals are the axes. NULL: there is no point, or no memory, of which the object's reader
+ * knows. */
 static float (*all_points(const Node *object, const DepthModel *model, uint32_t *count))[6]
 {
     uint32_t room = 3, at = 0;
@@ -152,7 +153,7 @@ static void move_image(const OwnSpace *space, DepthImage *image)
     }
 }
 
-/* --- draws ------------------------------------------------------------------------------------- */
+/* --- draws ------------------------------------------------------------------------------------ */
 
 /* The cylinder about a mesh, and its caps. */
 static GpResult capture(const char *path, const long pixels[2], DepthModel *model, GpError *error)
@@ -236,7 +237,8 @@ static void set_geometry(Frame *frame, const SurfaceLevel *level, GpGeometry *ge
     };
 }
 
-/* One image of a model that is in the world, drawn as another is; its textures become the frame's. */
+/* One image of a model that is in the world, drawn as another is; its textures become the
+ * frame's. */
 static void add_image(Loader *loader, const Node *object, const DepthImage *image, GpDraw *draw,
                       const SceneView *view)
 {

@@ -9,8 +9,9 @@
 
 /* --- values in groups ------------------------------------------------------------------------- */
 
-/* Up to three values a triangle, each of a group: sorted by group and, within it, by value. They are listed
- * twice, to be counted and to be put in their places, which takes less than to keep the list. */
+/* Up to three values a triangle, each of a group: sorted by group and, within it, by value. They
+ * are listed twice, to be counted and to be put in their places, which takes less than to keep the
+ * list. */
 typedef struct Groups {
     uint32_t group_count;
     /* [group_count + 2] of each group in sorted; while they are listed, one further */

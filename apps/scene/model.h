@@ -35,9 +35,9 @@ GpResult model_points(const char *builtin, GpPoints *points, GpError *error);
 GpResult model_shape(const char *scene, const char *name, bool points, Shape *shape,
                      GpError *error);
 
-/* What an object of a scene names, as surfels: the points of a file, or the vertices of one with faces,
- * after midpoint subdivisions or as so many samples of its area (open.h); of builtins, the points or the
- * mesh of that name.
+/* What an object of a scene names, as surfels: the points of a file, or the vertices of one with
+ * faces, after midpoint subdivisions or as so many samples of its area (open.h); of builtins, the
+ * points or the mesh of that name.
  * errors also those of points_open
  * owns   the caller, until surfels_free */
 typedef struct ModelSampling {

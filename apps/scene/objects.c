@@ -15,7 +15,7 @@ enum {
     FAR = 1000000,
 };
 
-/* --- where geometry comes from --------------------------------------------------------------- */
+/* --- where geometry comes from ---------------------------------------------------------------- */
 
 static void read_triangles(const Node *triangles, Shape *shape)
 {
@@ -89,7 +89,7 @@ static void read_shape(const Node *node, bool points, Shape *shape)
         scene_fail(node, result, &reason);
 }
 
-/* --- vertices -------------------------------------------------------------------------------- */
+/* --- vertices --------------------------------------------------------------------------------- */
 
 /* "tile" [u, v]: texture coordinates times these. "size": the diameter of points. */
 static void read_tile_and_size(Node tile_node, Node size_node, Shape *shape)
@@ -152,7 +152,7 @@ void scene_complete_streams(Frame *frame, const GpProgram *program, GpGeometry *
     }
 }
 
-/* --- objects --------------------------------------------------------------------------------- */
+/* --- objects ---------------------------------------------------------------------------------- */
 
 /* A mirror image's triangles are turned round, so that they keep their outside. */
 static void turn_triangles(Shape *shape)

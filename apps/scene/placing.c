@@ -66,8 +66,8 @@ static void read_transform(Node node, double m[4][4], double scale[3])
     node_close(&node);
 }
 
-/* Three doubles, and one that means nothing: columns of a matrix, so that a product is found in all rows at once,
- * each summed in its order. */
+/* Three doubles, and one that means nothing: columns of a matrix, so that a product is found in all
+ * rows at once, each summed in its order. */
 typedef double double4 __attribute__((vector_size(4 * sizeof(double))));
 
 /* Positions by m, normals by its inverse transpose. returns whether m mirrors */

@@ -69,16 +69,16 @@ typedef struct Scene {
  *        GP_ERROR_MEMORY */
 GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene, GpError *error);
 
-/* What can be told of a scene file without reading what it names; a scene that cannot be read has the
- * usual size, and the other functions say what is wrong with it. */
+/* What can be told of a scene file without reading what it names; a scene that cannot be read has
+ * the usual size, and the other functions say what is wrong with it. */
 typedef struct SceneOutline {
     uint32_t width, height; /* of the picture */
     double cost; /* how long it takes to draw, beside others: by its pixels, passes and objects */
 } SceneOutline;
 SceneOutline scene_outline(const char *path);
 
-/* The JSON Schema of scene files, as the reader tells it: every key with its type, range, default and
- * names; of materials one alternative for each program. The caller owns it. */
+/* The JSON Schema of scene files, as the reader tells it: every key with its type, range, default
+ * and names; of materials one alternative for each program. The caller owns it. */
 json_t *scene_schema(void);
 
 /* Frees everything and zeroes the struct; a zeroed scene is fine. */

@@ -8,8 +8,8 @@
 
 #include "pipeline/base/base.h"
 
-/* Triangles with indices, or points without. Arrays are packed, of gp_alloc, and owned by the caller until
- * shape_free. */
+/* Triangles with indices, or points without. Arrays are packed, of gp_alloc, and owned by the
+ * caller until shape_free. */
 typedef struct Shape {
     float *positions;  /* [3 * vertex_count] */
     float *normals;    /* [3 * vertex_count] of unit length, outwards */

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* --- the surfaces ---------------------------------------------------------------------------- */
+/* --- the surfaces ----------------------------------------------------------------------------- */
 
 /* Direction of a column on a circle about +y, to the right seen from outside. */
 static void column_direction(const ShapePatch *patch, uint32_t column, double *x, double *z)
@@ -86,7 +86,7 @@ static void rectangle(const ShapePatch *patch, uint32_t column, uint32_t row, Sh
     vector_cross(d + 6, d + 3, point->normal);
 }
 
-/* --- names ----------------------------------------------------------------------------------- */
+/* --- names ------------------------------------------------------------------------------------ */
 
 static const double top_disc[] = { 0, 1, 1, 1 }, bottom_disc[] = { 1, -1, 0, -1 };
 static const double tube_side[] = { 1, 1, 1, -1 }, cone_side[] = { 0, 1, 1, -1 };

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* --- pictures -------------------------------------------------------------------------------- */
+/* --- pictures --------------------------------------------------------------------------------- */
 
 GpResult scene_open_picture(const char *scene, const char *name, bool srgb, bool mips,
                             GpSurface **surface, GpError *error)
@@ -43,7 +43,7 @@ static const GpSurface *find_image(Loader *loader, const Node *node, const char 
     return surface;
 }
 
-/* --- samplers -------------------------------------------------------------------------------- */
+/* --- samplers --------------------------------------------------------------------------------- */
 
 /* "address": one name for both directions, or two. */
 static void read_address(Node node, GpSampler *sampler)

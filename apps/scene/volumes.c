@@ -171,7 +171,8 @@ void scene_read_volume(Loader *loader, Node *object, const SceneView *view)
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-/* A place, or a direction, of the world where sample (0, 0, 0) is the origin and x, y, z its axes. */
+/* A place, or a direction, of the world where sample (0, 0, 0) is the origin and x, y, z its
+ * axes. */
 static void turn(const SceneVolume *volume, const double world[3], bool place_, double own[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -243,7 +244,7 @@ SceneVolume *scene_draw_volumes(Loader *loader, const SceneView *view, const cha
     return drawn;
 }
 
-/* --- what is seen through them ------------------------------------------------------------------ */
+/* --- what is seen through them ---------------------------------------------------------------- */
 
 static bool is_before(const SceneVolume *volume, const SceneView *view, const Bounds *box)
 {

@@ -1,10 +1,10 @@
 /* Settings of a technique as a table: the same fields serve the command's options, the sweeps of
  * charts and the text by which a chart names its points.
  *
- * A setting is a plain struct of the technique's own; a field says how one member is called and what
- * it may hold. A setting as text is what a user would type: "--method hardware --map 2048". It is the
- * key of a chart's point, and has the fields that say how a frame is made; those that say of what, or
- * how the result is looked at, lie aside of it.
+ * A setting is a plain struct of the technique's own; a field says how one member is called and
+ * what it may hold. A setting as text is what a user would type: "--method hardware --map 2048". It
+ * is the key of a chart's point, and has the fields that say how a frame is made; those that say of
+ * what, or how the result is looked at, lie aside of it.
  */
 #ifndef APPS_TECHNIQUES_SETTINGS_H
 #define APPS_TECHNIQUES_SETTINGS_H
@@ -59,7 +59,8 @@ GpResult setting_set(const SettingField *fields, void *setting, const char *name
                      GpError *error);
 
 /* Sets every member that a key names: "--map 1024 --bias 0.001"; "--map=1024" works too.
- * errors GP_ERROR_INVALID: as above, an option without value, none of the key; nothing is then set */
+ * errors GP_ERROR_INVALID: as above, an option without value, none of the key; nothing is then
+ *      set */
 GpResult setting_parse(const SettingField *fields, void *setting, const char *text, GpError *error);
 
 /* The key of a setting: the members that differ from `defaults`, in the table's order; numbers with

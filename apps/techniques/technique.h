@@ -72,12 +72,12 @@ typedef struct Experiment {
                               GpError *error);
 
     /* An error that no frame of a setting is below, for certain and without drawing it, so that
-     * --error draws only what may reach it; in roundings too. in scene: its truth is found; out least:
-     * without metrics; 0: nothing is known. NULL: nothing ever is */
+     * --error draws only what may reach it; in roundings too. in scene: its truth is found; out
+     * least: without metrics; 0: nothing is known. NULL: nothing ever is */
     void (*least_error)(void *scene, const void *setting, TechniqueError *least);
 
-    /* How far each pixel of a frame's picture, as it was drawn and shown, is above that of the truth,
-     * or below it; 0: nowhere. May append passes to the frame and draw them.
+    /* How far each pixel of a frame's picture, as it was drawn and shown, is above that of the
+     * truth, or below it; 0: nowhere. May append passes to the frame and draw them.
      * out  off: [height][width] of the picture
      * errors those of measure and show. NULL: pictures have no difference beside them */
     GpResult (*difference)(void *scene, const void *setting, GpDevice *device, Frame *frame,
@@ -160,8 +160,8 @@ typedef struct Technique {
     const TechniqueScaling *scaling; /* NULL: none */
     const PaperTable *const *tables; /* NULL at the end; NULL: none */
 
-    /* Sets what the options that were given mean of those that were not: that of one method alone means
-     * the method. Before check.
+    /* Sets what the options that were given mean of those that were not: that of one method alone
+     * means the method. Before check.
      * in   given: bit i: the user gave settings[i]. NULL: they mean nothing else */
     void (*imply)(void *setting, uint32_t given);
 
@@ -182,21 +182,23 @@ typedef struct Technique {
     GpResult (*build)(void *scene, const void *setting, GpDevice *device, Frame *frame,
                       GpError *error);
 
-    /* Sets what a setting leaves to be chosen to what `build` chooses for the scene, so that it can be
-     * told; what differs from part to part of the scene stays. NULL: nothing is left */
+    /* Sets what a setting leaves to be chosen to what `build` chooses for the scene, so that it can
+     * be told; what differs from part to part of the scene stays. NULL: nothing is left */
     void (*resolve)(const void *scene, void *setting);
 
-    /* A member of the report that counts what a frame draws, and is told by the second too: "splats" is
-     * followed by "splats_per_second". NULL: none */
+    /* A member of the report that counts what a frame draws, and is told by the second too:
+     * "splats" is followed by "splats_per_second". NULL: none */
     const char *rate;
 
-    /* What the alpha of a picture is, which --output-NAME writes alone: "visibility". NULL: nothing */
+    /* What the alpha of a picture is, which --output-NAME writes alone: "visibility". NULL:
+     * nothing */
     const char *alpha;
     /* errors GP_ERROR_INVALID: it is not in this scene, with the reason. NULL: it always is */
     GpResult (*check_alpha)(const void *scene, GpError *error);
 
     /* Where the result is a volume: reads it once the list has run.
-     * errors GP_ERROR_MEMORY; owns: the caller, until gp_volume_free. NULL: the result is a picture */
+     * errors GP_ERROR_MEMORY; owns: the caller, until gp_volume_free. NULL: the result is a
+     *      picture */
     GpResult (*volume)(const Frame *frame, GpVolume *volume, GpError *error);
 
     /* the first experiment's truth is found in about the time of a picture, and so that a page of a
@@ -222,7 +224,8 @@ GpResult technique_setting(const Technique *technique, const char *options, void
                            GpError *error);
 
 /* Builds the frame of such a setting.
- * in   frame: zeroed. errors those of setting_parse and build, GP_ERROR_MEMORY; *frame is then empty */
+ * in   frame: zeroed. errors those of setting_parse and build, GP_ERROR_MEMORY; *frame is then
+ *      empty */
 GpResult technique_build(const Technique *technique, void *scene, const char *options,
                          GpDevice *device, Frame *frame, GpError *error);
 
@@ -231,7 +234,8 @@ GpResult technique_build(const Technique *technique, void *scene, const char *op
  * returns how many there are */
 size_t technique_expand(const char *options, SettingText *texts, size_t room);
 
-/* The same into memory of their own; also of paths, which are longer than settings, but not so long.
+/* The same into memory of their own; also of paths, which are longer than settings, but not so
+ * long.
  * errors GP_ERROR_MEMORY; owns: the caller, until gp_free */
 GpResult technique_expand_all(const char *options, SettingText **texts, size_t *count,
                               GpError *error);

@@ -27,7 +27,7 @@ typedef struct Work {
     bool *failed;
 } Work;
 
-/* --- a pixel ------------------------------------------------------------------------------------- */
+/* --- a pixel ---------------------------------------------------------------------------------- */
 
 /* Length of the line of sight through a place for each unit along the view. */
 static double slant(const Work *work, const double centre[2])
@@ -47,8 +47,8 @@ static double distance_of(const Camera *camera, double depth)
                             : camera->near + depth * length;
 }
 
-/* How far a triangle's plane is from the eye, or, of parallel rays, how far it goes along with a step along
- * them. out faces: whether its outer side is seen */
+/* How far a triangle's plane is from the eye, or, of parallel rays, how far it goes along with a
+ * step along them. out faces: whether its outer side is seen */
 static double find_height(const Work *work, uint32_t triangle, bool *faces)
 {
     const FragmentTruthScene *scene = work->scene;
@@ -118,7 +118,7 @@ static void blend(const Work *work, const Fragment *fragments, size_t count, dou
     rgba[3] = 1 - left;
 }
 
-/* --- rows ---------------------------------------------------------------------------------------- */
+/* --- rows ------------------------------------------------------------------------------------- */
 
 typedef struct Row {
     Fragment *fragments;
@@ -161,7 +161,8 @@ static bool cross_row(const Work *work, uint32_t y, uint32_t triangle, Row *row)
     return true;
 }
 
-/* Whether snapping may make two fragments change places. Those of triangles with the same corners move as one. */
+/* Whether snapping may make two fragments change places. Those of triangles with the same corners
+ * move as one. */
 static bool may_change_places(const Fragment *first, const Fragment *second)
 {
     const double apart = second->depth - first->depth;

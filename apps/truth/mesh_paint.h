@@ -1,5 +1,5 @@
-/* The colour of a mesh at a place of a triangle, lit as programs light it, in double: what the truths
- * of pictures of meshes show. */
+/* The colour of a mesh at a place of a triangle, lit as programs light it, in double: what the
+ * truths of pictures of meshes show. */
 #ifndef APPS_TRUTH_MESH_PAINT_H
 #define APPS_TRUTH_MESH_PAINT_H
 
@@ -14,7 +14,8 @@
 typedef void TruthColor(const void *context, uint32_t triangle, const double share[3],
                         double color[3]);
 
-/* Blinn-Phong; places have a fourth component of 1, directions, which point towards eye or light, 0. */
+/* Blinn-Phong; places have a fourth component of 1, directions, which point towards eye or light,
+ * 0. */
 typedef struct TruthLight {
     double eye[4], source[4];
     double ambient[3], diffuse[3], specular[3], shininess;

@@ -161,7 +161,8 @@ static Edge edge_between(const Corner *a, const Corner *b)
     return (Edge){ a->place[0], a->place[1], b->place[0] - a->place[0], b->place[1] - a->place[1] };
 }
 
-/* Twice the area of the triangle that the edge and a place make; negative where it turns the other way. */
+/* Twice the area of the triangle that the edge and a place make; negative where it turns the other
+ * way. */
 static inline double area_at(const Edge *edge, double x, double y)
 {
     return edge->dx * (y - edge->y) - edge->dy * (x - edge->x);

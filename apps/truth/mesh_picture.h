@@ -1,5 +1,6 @@
-/* A picture of triangles as it is on average over each pixel: many samples a pixel, each the nearest
- * triangle at its place, in double. What splats of the triangles' vertices are held against.
+/* A picture of triangles as it is on average over each pixel: many samples a pixel, each the
+ * nearest triangle at its place, in double. What splats of the triangles' vertices are held
+ * against.
  */
 #ifndef APPS_TRUTH_MESH_PICTURE_H
 #define APPS_TRUTH_MESH_PICTURE_H
@@ -33,7 +34,8 @@ GpResult mesh_picture_make(const MeshPictureScene *scene, GpPool *pool, MeshPict
 /* Frees and zeroes; a zeroed one is fine. */
 void mesh_picture_free(MeshPicture *picture);
 
-/* Whether a pixel and its eight neighbours are wholly covered; at the picture's border they are not. */
+/* Whether a pixel and its eight neighbours are wholly covered; at the picture's border they are
+ * not. */
 bool mesh_picture_is_interior(const MeshPicture *picture, uint32_t x, uint32_t y);
 
 #endif

@@ -8,7 +8,8 @@ typedef struct Run {
     const RayPicture *picture;
 } Run;
 
-/* The ray through a pixel's centre, from the near plane on: a step of 1 is one farther along the view. */
+/* The ray through a pixel's centre, from the near plane on: a step of 1 is one farther along the
+ * view. */
 static void find_ray(const Run *run, uint32_t x, uint32_t y, double origin[3], double direction[3])
 {
     const RayPictureScene *scene = run->scene;

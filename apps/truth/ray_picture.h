@@ -1,5 +1,5 @@
-/* A picture of triangles as they are at each pixel's centre: the nearest one on the ray through it, its
- * colour and how far away it is, in double. What warped pictures are held against. */
+/* A picture of triangles as they are at each pixel's centre: the nearest one on the ray through it,
+ * its colour and how far away it is, in double. What warped pictures are held against. */
 #ifndef APPS_TRUTH_RAY_PICTURE_H
 #define APPS_TRUTH_RAY_PICTURE_H
 
@@ -22,7 +22,8 @@ typedef struct RayPicture {
     double *depth; /* [height][width]: along the view from the eye; INFINITY where nothing is */
 } RayPicture;
 
-/* Room for a picture of nothing. errors GP_ERROR_MEMORY; owns: the caller, until ray_picture_free */
+/* Room for a picture of nothing. errors GP_ERROR_MEMORY; owns: the caller, until
+ * ray_picture_free */
 GpResult ray_picture_create(uint32_t width, uint32_t height, RayPicture *picture);
 
 /* order  the same bits for any number of threads

@@ -13,7 +13,8 @@ enum {
 
 typedef struct TruthNode {
     Bounds box;
-    /* a leaf's first place in the order; else the child on the low side, the other is the next one */
+    /* a leaf's first place in the order; else the child on the low side, the other is the next
+     * one */
     uint32_t first;
     uint32_t count; /* of a leaf's triangles; 0: two children */
     uint32_t axis;  /* that parts the children */

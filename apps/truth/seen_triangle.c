@@ -3,13 +3,14 @@
 #include <math.h>
 #include <string.h>
 
-/* An edge is as near as snapped corners may bring it; a corner moves by half a step along each axis. */
+/* An edge is as near as snapped corners may bring it; a corner moves by half a step along each
+ * axis. */
 #define NEAR (1.0 / 256)
 
 /* Of a depth as floats have it, from a corner on: a few of their steps. */
 #define ROUNDINGS 0x1p-22
 
-/* --- making ------------------------------------------------------------------------------------- */
+/* --- making ----------------------------------------------------------------------------------- */
 
 SeenView seen_view(const Camera *camera, uint32_t width, uint32_t height)
 {
@@ -60,8 +61,9 @@ static void find_box(const SeenView *view, const double corner[3][4], SeenTriang
     }
 }
 
-/* Corners in an order that they have in all triangles that share them: edges are then the same to the bit, and
- * so are depths of triangles that are the same but for where they begin, or turned over. */
+/* Corners in an order that they have in all triangles that share them: edges are then the same to
+ * the bit, and so are depths of triangles that are the same but for where they begin, or turned
+ * over. */
 static void sort_corners(const float (*positions)[3], const uint32_t index[3], uint32_t sorted[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -91,7 +93,7 @@ void seen_triangle_make(const SeenView *view, const float (*positions)[3], const
     find_box(view, corner, seen);
 }
 
-/* --- asking ------------------------------------------------------------------------------------- */
+/* --- asking ----------------------------------------------------------------------------------- */
 
 /* A centre on an edge is inside of the triangle for which the edge runs one way. */
 static bool covers(const double at[3], const double edge[3][3])

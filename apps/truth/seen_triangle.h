@@ -1,7 +1,7 @@
 /* A triangle as a picture sees it, in double: which places it covers, and at what depth.
  *
- * source Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics Hardware 1997:
- *        triangles are not clipped, not even those that begin behind the eye */
+ * source Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics
+ *        Hardware 1997: triangles are not clipped, not even those that begin behind the eye */
 #ifndef APPS_TRUTH_SEEN_TRIANGLE_H
 #define APPS_TRUTH_SEEN_TRIANGLE_H
 
@@ -18,9 +18,9 @@ typedef struct SeenView {
 
 SeenView seen_view(const Camera *camera, uint32_t width, uint32_t height);
 
-/* Corners are (X, Y, Z, W), where (X / W, Y / W) is a place in pixels, y down, Z / W its depth, 0 near, 1 far; W
- * is 1 where rays are parallel. A place (x, y) is inside where edge[i] . (x, y, 1) are of one sign; they
- * are also the shares of the corners in it. */
+/* Corners are (X, Y, Z, W), where (X / W, Y / W) is a place in pixels, y down, Z / W its depth, 0
+ * near, 1 far; W is 1 where rays are parallel. A place (x, y) is inside where edge[i] . (x, y, 1)
+ * are of one sign; they are also the shares of the corners in it. */
 typedef struct SeenTriangle {
     double edge[3][3];
     double z[3], w[3];
@@ -34,8 +34,8 @@ void seen_triangle_make(const SeenView *view, const float (*positions)[3], const
 
 /* A triangle at a place. */
 typedef struct SeenAt {
-    /* An edge is as near as snapped corners may bring it, 1/256 pixel; so are the edges that the near and the far
-     * plane make. */
+    /* An edge is as near as snapped corners may bring it, 1/256 pixel; so are the edges that the
+     * near and the far plane make. */
     bool is_near_edge;
     bool is_covered; /* and neither too near nor too far */
     double depth;    /* of what is covered, 0..1 */

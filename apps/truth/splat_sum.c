@@ -114,8 +114,8 @@ static double affine_weight(const Seen *seen, double x, double y)
            exp(-0.5 * (seen->xx * dx * dx + 2 * seen->xy * dx * dy + seen->yy * dy * dy));
 }
 
-/* Whether all that the filter sees of the plane is so far from the splat that exp is below 2^-53: the
- * corners of its square are the farthest from its middle. */
+/* Whether all that the filter sees of the plane is so far from the splat that exp is below 2^-53:
+ * the corners of its square are the farthest from its middle. */
 static bool is_far(const Run *run, const Seen *seen, double x, double y)
 {
     double middle[3], farthest = 0;

@@ -1,11 +1,12 @@
-/* A picture of splats by plain sums in double: every splat at every pixel, without cut-off. What the
- * passes that draw splats are held against; it shares no arithmetic with them.
+/* A picture of splats by plain sums in double: every splat at every pixel, without cut-off. What
+ * the passes that draw splats are held against; it shares no arithmetic with them.
  *
  * The Gaussian of a splat lies on its plane. On the picture it is made wider by the pixel's filter:
  *   affine   as EWA does it, by the projection's derivative in the splat's middle: a Gaussian again
- *   exact    as it is: rays through all of the filter's places meet the plane, by numeric integration
- * source Zwicker, Pfister, van Baar and Gross, "Surface splatting", SIGGRAPH 2001, eq. 6 (exact) and
- *        10 (affine); the Jacobian with tangents as printed there
+ *   exact    as it is: rays through all of the filter's places meet the plane, by numeric
+ *            integration
+ * source Zwicker, Pfister, van Baar and Gross, "Surface splatting", SIGGRAPH 2001, eq. 6 (exact)
+ *        and 10 (affine); the Jacobian with tangents as printed there
  */
 #ifndef APPS_TRUTH_SPLAT_SUM_H
 #define APPS_TRUTH_SPLAT_SUM_H

@@ -60,7 +60,8 @@ static inline bool truth_is_left(const double a[2], const double b[2], double u,
     return (side >= 0) != turned;
 }
 
-/* Whether the triangle's image holds a point: of two that share an edge, one holds a point on it. */
+/* Whether the triangle's image holds a point: of two that share an edge, one holds a point on
+ * it. */
 static inline bool truth_covers(const TruthProjection *p, double u, double v)
 {
     int left = 0;

@@ -39,7 +39,7 @@ double volume_kernel_height(double deviation, double cut)
     return 1 / (4 * M_PI * s2 * inside);
 }
 
-/* --- where there is something ------------------------------------------------------------------- */
+/* --- where there is something ----------------------------------------------------------------- */
 
 static size_t tile_at(const Run *run, const int tile[3])
 {
@@ -73,7 +73,7 @@ static void find_seen(Run *run)
                     mark(run, at);
 }
 
-/* --- a ray -------------------------------------------------------------------------------------- */
+/* --- a ray ------------------------------------------------------------------------------------ */
 
 /* A ray while it is walked, slice by slice across its main axis. */
 typedef struct Walk {
@@ -89,7 +89,8 @@ typedef struct Walk {
     double rgb[3], through;
 } Walk;
 
-/* Adds a kernel's profile along the ray: a Gaussian again, whose values at even steps are products. */
+/* Adds a kernel's profile along the ray: a Gaussian again, whose values at even steps are
+ * products. */
 static void add_kernel(Walk *walk, const int sample[3], const double *density)
 {
     const VolumeKernels *kernels = walk->run->kernels;
@@ -212,7 +213,7 @@ static void draw_ray(const Run *run, double x, double y, Density *bin, double rg
     rgba[3] = 1 - walk.through;
 }
 
-/* --- the picture -------------------------------------------------------------------------------- */
+/* --- the picture ------------------------------------------------------------------------------ */
 
 static void draw_row(void *context, uint32_t y, int worker)
 {

@@ -1,11 +1,11 @@
-/* A picture of a volume as splats describe it, as exact as it can be said: every sample is classified
- * and has a Gaussian kernel, kernels add up to densities of extinction and of light sent out, and these
- * are integrated along rays, in double. Then the picture is filtered by the pixel's Gaussian. Splats
- * that are classified before they are splatted are held against it.
+/* A picture of a volume as splats describe it, as exact as it can be said: every sample is
+ * classified and has a Gaussian kernel, kernels add up to densities of extinction and of light sent
+ * out, and these are integrated along rays, in double. Then the picture is filtered by the pixel's
+ * Gaussian. Splats that are classified before they are splatted are held against it.
  *
  * A sample of opacity a adds extinction -ln(1 - a) k(r) and as much light in its colour; k is
- * exp(-r^2 / (2 deviation^2)) of the distance r in samples along the volume's own axes, 0 from r = cut
- * on, times what makes its integral 1.
+ * exp(-r^2 / (2 deviation^2)) of the distance r in samples along the volume's own axes, 0 from r =
+ * cut on, times what makes its integral 1.
  */
 #ifndef APPS_TRUTH_VOLUME_KERNELS_H
 #define APPS_TRUTH_VOLUME_KERNELS_H

@@ -1,4 +1,5 @@
-/* What the two truths of volumes have in common: which picture is asked for, its rays, and its memory. */
+/* What the two truths of volumes have in common: which picture is asked for, its rays, and its
+ * memory. */
 #ifndef APPS_TRUTH_VOLUME_PICTURE_H
 #define APPS_TRUTH_VOLUME_PICTURE_H
 
@@ -31,7 +32,8 @@ typedef struct VolumePicture {
     double *rgba; /* [height][width][4]: colour multiplied by alpha, and alpha */
 } VolumePicture;
 
-/* Part of a line through the volume, in samples: begin + t * way for t in low..high, where t is a length
+/* Part of a line through the volume, in samples: begin + t * way for t in low..high, where t is a
+ * length
  * in the camera's space. Empty where low >= high. */
 typedef struct VolumeRay {
     double begin[3], way[3], low, high;
@@ -51,8 +53,8 @@ double volume_extinction(double opacity);
 
 VolumeEye volume_eye(const VolumeScene *scene);
 
-/* The ray through a place of the picture, pixels from its upper left corner, as far as it is in the box
- * that is `margin` samples larger than the samples' own. */
+/* The ray through a place of the picture, pixels from its upper left corner, as far as it is in the
+ * box that is `margin` samples larger than the samples' own. */
 VolumeRay volume_ray(const VolumeEye *eye, double x, double y, double margin);
 
 /* errors GP_ERROR_MEMORY; owns: the caller, until volume_picture_free */

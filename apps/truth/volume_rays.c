@@ -19,7 +19,7 @@ typedef struct Run {
     uint8_t *is_empty; /* of bricks [z][y][x] */
 } Run;
 
-/* --- what can be seen ---------------------------------------------------------------------------- */
+/* --- what can be seen ------------------------------------------------------------------------- */
 
 /* The greatest opacity between two values: a stop's, or that of an end. */
 static double most_opacity(const VolumeScene *scene, double low, double high)
@@ -52,7 +52,8 @@ static const uint8_t *sample_at(const VolumeScene *scene, const int cell[3])
            cell[0];
 }
 
-/* The steps from a cell's first corner to the next along each axis; none where there is one sample. */
+/* The steps from a cell's first corner to the next along each axis; none where there is one
+ * sample. */
 static void corner_steps(const VolumeScene *scene, size_t step[3])
 {
     step[0] = scene->size[0] > 1;
@@ -103,7 +104,7 @@ static void find_brick(void *context, uint32_t brick, int worker)
     run->is_empty[brick] = most <= run->unseen_to[least];
 }
 
-/* --- light along a ray --------------------------------------------------------------------------- */
+/* --- light along a ray ------------------------------------------------------------------------ */
 
 typedef struct Light {
     double rgb[3], through; /* through: what comes from behind, as a share */
@@ -137,8 +138,8 @@ static double value_at(const Inside *inside, double t)
     return interpolate(&inside->corners, at);
 }
 
-/* Light of a part of the ray in which no stop lies, from its two points of Gauss: what is sent out and
- * taken is spread over it evenly. */
+/* Light of a part of the ray in which no stop lies, from its two points of Gauss: what is sent out
+ * and taken is spread over it evenly. */
 static void add_part(const Inside *inside, double from, double to, Light *light)
 {
     static const double gauss[2] = { 0.21132486540518713, 0.78867513459481287 };
@@ -228,8 +229,8 @@ static void find_cell(const Run *run, const VolumeRay *ray, double t, int cell[3
     }
 }
 
-/* The same of a place behind the one that `cell` was found for: what is rounded never turns back, or two
- * axes whose walls are met at once would take each other back for ever. */
+/* The same of a place behind the one that `cell` was found for: what is rounded never turns back,
+ * or two axes whose walls are met at once would take each other back for ever. */
 static void find_next_cell(const Run *run, const VolumeRay *ray, double t, int cell[3])
 {
     int found[3];

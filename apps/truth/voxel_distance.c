@@ -6,7 +6,7 @@
 
 enum { PLACES = 50000 }; /* points of the model; and voxels, at most */
 
-/* --- the model --------------------------------------------------------------------------------- */
+/* --- the model -------------------------------------------------------------------------------- */
 
 static double area_of(const TruthTriangle *triangle)
 {
@@ -76,7 +76,7 @@ void voxel_distance_free(VoxelDistance *distance)
     *distance = (VoxelDistance){ .nodes = NULL };
 }
 
-/* --- squares ----------------------------------------------------------------------------------- */
+/* --- squares ---------------------------------------------------------------------------------- */
 
 enum { BLOCK = 500 }; /* places that a thread takes at once */
 
@@ -117,7 +117,7 @@ static double find_root(Squares *squares, GpPool *pool)
     return asked ? sqrt(sum / asked) : 0;
 }
 
-/* --- from the model to voxels ------------------------------------------------------------------ */
+/* --- from the model to voxels ----------------------------------------------------------------- */
 
 /* A point in voxels. False: it is cut off by its placement, and not asked for */
 static bool find_point(const Squares *squares, uint32_t number, double point[3])
@@ -157,7 +157,7 @@ static double square_to_any_voxel(const Squares *squares, uint32_t number)
     return apart * apart;
 }
 
-/* --- from voxels to the model ------------------------------------------------------------------ */
+/* --- from voxels to the model ----------------------------------------------------------------- */
 
 static double square_to_box(const Bounds *box, const double point[3])
 {

@@ -28,7 +28,7 @@ void voxel_place(size_t i, uint32_t size, uint32_t at[3])
     at[2] = (uint32_t)(i / size / size);
 }
 
-/* --- the pyramid ------------------------------------------------------------------------------- */
+/* --- the pyramid ------------------------------------------------------------------------------ */
 
 /* A volume of half the size, rounded up. NULL without memory. */
 static uint8_t *halve(const uint8_t *bits, uint32_t size)
@@ -68,7 +68,7 @@ void voxel_pyramid_free(VoxelPyramid *pyramid)
     *pyramid = (VoxelPyramid){ .levels = 0 };
 }
 
-/* --- search ------------------------------------------------------------------------------------ */
+/* --- search ----------------------------------------------------------------------------------- */
 
 typedef struct Search {
     const VoxelPyramid *pyramid;

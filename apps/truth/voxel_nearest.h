@@ -17,7 +17,8 @@ typedef struct VoxelPyramid {
 GpResult voxel_pyramid_make(const uint8_t *bits, uint32_t size, VoxelPyramid *pyramid);
 void voxel_pyramid_free(VoxelPyramid *pyramid);
 
-/* Distance in voxels of a point from the nearest centre of a set voxel; `most` where none is nearer. */
+/* Distance in voxels of a point from the nearest centre of a set voxel; `most` where none is
+ * nearer. */
 double voxel_pyramid_nearest(const VoxelPyramid *pyramid, const double point[3], double most);
 
 /* The first set bit from the i-th on; voxels in all where there is none. */

@@ -24,7 +24,7 @@ static void place_of(const VoxelProbes *probes, uint32_t i, double point[3])
         point[k] = probes->low[k] + probes->side * point[k];
 }
 
-/* --- the grid ---------------------------------------------------------------------------------- */
+/* --- the grid --------------------------------------------------------------------------------- */
 
 static uint32_t cell_of(uint32_t i)
 {
@@ -52,7 +52,7 @@ static void cells_between(double low, double high, double origin, double side, u
         range[i] = (uint32_t)fmin(fmax((places[i] - origin) * scale, 0), CELLS - 1);
 }
 
-/* --- inside ------------------------------------------------------------------------------------ */
+/* --- inside ----------------------------------------------------------------------------------- */
 
 /* Counts in those of a row of cells that a triangle is above: 1, or -1 where it faces down. */
 static void count_row(const VoxelProbes *probes, const Grid *grid, uint32_t first, uint32_t last,
@@ -136,7 +136,7 @@ void voxel_probes_free(VoxelProbes *probes)
     *probes = (VoxelProbes){ .inside = NULL };
 }
 
-/* --- wrong ------------------------------------------------------------------------------------- */
+/* --- wrong ------------------------------------------------------------------------------------ */
 
 /* out  place: the bit of the voxel that a point lies in; false: in none */
 static bool find_voxel(const VoxelBox *space, const double point[3], size_t *place)

@@ -1,5 +1,6 @@
 /* How much of a model's volume a volume of voxels has wrong: by points of which it is known whether
- * they are inside, each held against the voxel that it lies in. One number for volumes of all sizes.
+ * they are inside, each held against the voxel that it lies in. One number for volumes of all
+ * sizes.
  */
 #ifndef APPS_TRUTH_VOXEL_PROBES_H
 #define APPS_TRUTH_VOXEL_PROBES_H
@@ -7,8 +8,8 @@
 #include "apps/truth/voxel_truth.h"
 #include "pipeline/base/pool.h"
 
-/* Points spread evenly over a cube around a model, an eighth wider than its box is long, which is all
- * of a volume of 23 voxels a side or more; in its own space. */
+/* Points spread evenly over a cube around a model, an eighth wider than its box is long, which is
+ * all of a volume of 23 voxels a side or more; in its own space. */
 typedef struct VoxelProbes {
     double low[3], side;
     uint8_t *inside; /* a bit for each */

@@ -28,8 +28,8 @@ static int32_t clamp(double value, uint32_t size)
     return (int32_t)fmin(fmax(value, 0), size);
 }
 
-/* Lines first <= i < end that may cross a triangle; false: there are none. They are found generously: a line
- * goes by the centre, but for `aside`. */
+/* Lines first <= i < end that may cross a triangle; false: there are none. They are found
+ * generously: a line goes by the centre, but for `aside`. */
 static bool find_lines(const TruthTriangle *triangle, int axis, uint32_t size, int32_t range[2])
 {
     const double margin = 1.0 / 256;

@@ -1,9 +1,9 @@
 /* How often a closed surface goes round the centres of voxels: winding numbers, in double.
  *
- * The winding number of a point is 1 inside of a surface whose triangles turn counter-clockwise seen
- * from outside, 2 where two such parts overlap, 0 outside and in a hollow, whose wall is turned the
- * other way; inside out it is negative. It is well defined where as many triangles run along each edge
- * one way as the other; else it depends on the axis, as parity does.
+ * The winding number of a point is 1 inside of a surface whose triangles turn counter-clockwise
+ * seen from outside, 2 where two such parts overlap, 0 outside and in a hollow, whose wall is
+ * turned the other way; inside out it is negative. It is well defined where as many triangles run
+ * along each edge one way as the other; else it depends on the axis, as parity does.
  */
 #ifndef APPS_TRUTH_VOXEL_WINDING_H
 #define APPS_TRUTH_VOXEL_WINDING_H
@@ -21,10 +21,10 @@ typedef struct VoxelWinding {
  * triangle's outside faces up, -1 where it faces down.
  * in     triangles: in voxels
  * errors GP_ERROR_MEMORY; owns: the caller, until voxel_winding_free
- * note   Lines are moved aside by less than 2^-29 voxel, all the same way and so that no centre lies
- *        on a plane of them: what lies exactly on the surface is then inside or outside alike along
- *        all three axes. Of two triangles that share an edge a line crosses one, as in voxel_solid,
- *        and what rounding decides is nearer to the surface than 2^-29.
+ * note   Lines are moved aside by less than 2^-29 voxel, all the same way and so that no centre
+ *        lies on a plane of them: what lies exactly on the surface is then inside or outside alike
+ *        along all three axes. Of two triangles that share an edge a line crosses one, as in
+ *        voxel_solid, and what rounding decides is nearer to the surface than 2^-29.
  * source ours; signed crossings are the degree of a map, counted at a regular value */
 GpResult voxel_winding_make(const TruthTriangle *triangles, uint32_t count, uint32_t size, int axis,
                             VoxelWinding *winding);

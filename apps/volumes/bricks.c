@@ -4,7 +4,7 @@
 
 enum { MOST_SAMPLES = 1024 }; /* of a field's side */
 
-/* --- ranges ------------------------------------------------------------------------------------- */
+/* --- ranges ----------------------------------------------------------------------------------- */
 
 /* Samples of a side that belong to a brick: [first, end). */
 static uint32_t end_of(const Field *field, int axis, uint32_t brick)
@@ -78,9 +78,10 @@ void bricks_free(Bricks *bricks)
     *bricks = (Bricks){ { 0 }, NULL };
 }
 
-/* --- what they show ------------------------------------------------------------------------------ */
+/* --- what they show --------------------------------------------------------------------------- */
 
-/* Whether values from one whole number to the next have any opacity; out: how many before value i do. */
+/* Whether values from one whole number to the next have any opacity; out: how many before value i
+ * do. */
 static void count_shown(const Transfer *transfer, uint32_t before[FIELD_VALUES])
 {
     bool shown[FIELD_VALUES] = { false };
@@ -115,7 +116,7 @@ void bricks_show(const Bricks *bricks, const Transfer *transfer, uint8_t *shown)
         shown[i] = shows(before, bricks->range[i]);
 }
 
-/* --- runs ----------------------------------------------------------------------------------------- */
+/* --- runs ------------------------------------------------------------------------------------- */
 
 /* Row (y, z) of an array of bricks; of what lies beyond it, all is far. */
 static const uint8_t *row_at(const Bricks *bricks, const uint8_t *array, int64_t y, int64_t z,
@@ -131,8 +132,9 @@ static uint8_t lesser(uint8_t a, uint8_t b)
     return a < b ? a : b;
 }
 
-/* A row of cubes from the three rows ahead: one more than the least of the seven that begin at the next
- * bricks; 0 where the brick itself is not of the kind. The mathematics of the largest square of an image
+/* A row of cubes from the three rows ahead: one more than the least of the seven that begin at the
+ * next bricks; 0 where the brick itself is not of the kind. The mathematics of the largest square
+ * of an image
  * in one scan, as everyone knows it, in three dimensions. */
 static void grow_row(uint8_t *cube, const uint8_t *is, uint8_t kind, const uint8_t *const ahead[3],
                      uint32_t count, bool falls)

@@ -9,7 +9,7 @@
 
 enum { MAX_SIDE = 1024 };
 
-/* --- samples ------------------------------------------------------------------------------------ */
+/* --- samples ---------------------------------------------------------------------------------- */
 
 static double sample(const GpVolume *volume, size_t i)
 {
@@ -55,7 +55,7 @@ uint8_t *field_bytes(const GpVolume *volume, double range[2])
     return bytes;
 }
 
-/* --- fields ------------------------------------------------------------------------------------- */
+/* --- fields ----------------------------------------------------------------------------------- */
 
 /* Scales whose least is 1. returns whether they are near enough to each other */
 static bool even_scale(const GpVolume *volume, double scale[3])

@@ -1,7 +1,7 @@
 /* Scanned volumes, ready to be drawn: samples as bytes, and where they are.
  *
- * Space: sample (x, y, z) stands at scale * (x, y, z), so that the closest samples are 1 apart and a
- * volume of even spacing has its indices for coordinates. The volume is the box from its first
+ * Space: sample (x, y, z) stands at scale * (x, y, z), so that the closest samples are 1 apart and
+ * a volume of even spacing has its indices for coordinates. The volume is the box from its first
  * sample to its last; outside there is nothing.
  */
 #ifndef APPS_VOLUMES_FIELD_H
@@ -32,8 +32,8 @@ uint8_t *field_bytes(const GpVolume *volume, double range[2]);
 /* Makes a field of a volume's samples: bytes as they are, all others as field_bytes.
  * in/out volume: bytes become the field's, and are no longer here
  * out    field: untouched on failure
- * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a side of more than 1024 samples, or samples more than
- *        a thousand times as far from each other along one axis as along another
+ * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a side of more than 1024 samples, or samples more
+ *        than a thousand times as far from each other along one axis as along another
  * owns   the caller, until field_free */
 GpResult field_make(GpVolume *volume, Field *field, GpError *error);
 

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* --- built in ----------------------------------------------------------------------------------- */
+/* --- built in --------------------------------------------------------------------------------- */
 
 const char *const transfer_names[] = { "bonsai",       "engine", "marschner-lobb",
                                        "checkerboard", "fog",    NULL };
@@ -37,7 +37,7 @@ static const Transfer builtins[] = {
     { 2, { { 0, { 1, 1, 1, 0 } }, { 255, { 1, 1, 1, .05 } } } },
 };
 
-/* --- files -------------------------------------------------------------------------------------- */
+/* --- files ------------------------------------------------------------------------------------ */
 
 /* The next word of a line as a number of a range. */
 static double read_number(GpInput *input, const char *what, double least, double most)
@@ -127,7 +127,7 @@ GpResult transfer_open(const char *name, const Field *field, Transfer *transfer,
     return result ? result : read_file(path, field, transfer, error);
 }
 
-/* --- values ------------------------------------------------------------------------------------- */
+/* --- values ----------------------------------------------------------------------------------- */
 
 double transfer_extinction(double opacity)
 {

@@ -22,9 +22,9 @@ typedef struct Transfer {
     TransferStop stops[TRANSFER_MAX_STOPS]; /* by rising value */
 } Transfer;
 
-/* Reads a transfer function: a file of lines "value r g b a", # before a comment; or one built in, by
- * its name (transfer_names). Values are 0 to 255 where the volume has bytes; where it has not, the
- * first of the file stands for the volume's least sample and the last for its greatest.
+/* Reads a transfer function: a file of lines "value r g b a", # before a comment; or one built in,
+ * by its name (transfer_names). Values are 0 to 255 where the volume has bytes; where it has not,
+ * the first of the file stands for the volume's least sample and the last for its greatest.
  * out    transfer: its values are the field's; untouched on failure
  * errors GP_ERROR_FORMAT with "path: line 3: ..." and what was expected; those of gp_data_find */
 GpResult transfer_open(const char *name, const Field *field, Transfer *transfer, GpError *error);
@@ -35,8 +35,9 @@ void transfer_choose(const Field *field, Transfer *transfer);
 /* Names of those built in, NULL at the end. */
 extern const char *const transfer_names[];
 
-/* What a slab of this opacity takes of the light on a way of length 1, as an exponent: -ln(1 - opacity).
- * Opacities beyond 1 - 2^-24 count as that: nothing is seen through so much, and it stays finite. */
+/* What a slab of this opacity takes of the light on a way of length 1, as an exponent: -ln(1 -
+ * opacity). Opacities beyond 1 - 2^-24 count as that: nothing is seen through so much, and it stays
+ * finite. */
 double transfer_extinction(double opacity);
 
 /* Colour and opacity of a value: in double, exact but for rounding. */

@@ -1,9 +1,9 @@
 /* A transfer function from a field's histogram.
  *
- * What is around the object, air or fluid, has the values that most samples of the box's sides have: a
- * peak of the histogram, and what is below it. Of what is above, each range of values takes about the same share of the light
- * that goes through the volume, higher ones somewhat more. So what fills much room is thin, and rare
- * values show: borders between two things, vessels, bones.
+ * What is around the object, air or fluid, has the values that most samples of the box's sides
+ * have: a peak of the histogram, and what is below it. Of what is above, each range of values takes
+ * about the same share of the light that goes through the volume, higher ones somewhat more. So
+ * what fills much room is thin, and rare values show: borders between two things, vessels, bones.
  * source ours; where the peak ends: Zack, Rogers and Latt 1977, the triangle method */
 #include "apps/volumes/transfer.h"
 
@@ -65,8 +65,8 @@ static void count_sides(const Field *field, double count[FIELD_VALUES])
         }
 }
 
-/* The last value of what is around: where the histogram is farthest below the straight line from the
- * peak to the last value there is; by fourth roots of counts, since few samples matter too. */
+/* The last value of what is around: where the histogram is farthest below the straight line from
+ * the peak to the last value there is; by fourth roots of counts, since few samples matter too. */
 static int find_border(const double all[FIELD_VALUES], const double sides[FIELD_VALUES], int last)
 {
     double height[FIELD_VALUES], most = 0;
@@ -99,7 +99,8 @@ static double all_taken(const Field *field)
     return TAKEN * area / cell;
 }
 
-/* Samples of each range of values, each `width` wide from `low` on. returns how many ranges have any */
+/* Samples of each range of values, each `width` wide from `low` on. returns how many ranges have
+ * any */
 static int count_ranges(const double count[FIELD_VALUES], double low, double width,
                         double samples[RANGES])
 {

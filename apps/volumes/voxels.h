@@ -1,8 +1,9 @@
 /* Voxels in 8 bytes, in the orders in which slices are drawn, and by their values in each.
  *
- * An order goes along one axis: slice after slice, of a slice patch after patch, of a patch value after
- * value, and of one value row after row. So the voxels that a transfer function shows are a few runs of
- * each patch, which are found without looking at any voxel: another transfer function gathers other runs.
+ * An order goes along one axis: slice after slice, of a slice patch after patch, of a patch value
+ * after value, and of one value row after row. So the voxels that a transfer function shows are a
+ * few runs of each patch, which are found without looking at any voxel: another transfer function
+ * gathers other runs.
  * source paper 003, 4.1.2 (the 8 bytes), 4.1.1 (patches), 4.1.3 (lists of iso-values)
  */
 #ifndef APPS_VOLUMES_VOXELS_H
@@ -42,7 +43,8 @@ typedef struct VoxelOrder {
 
 /* A zeroed one is empty. */
 typedef struct Voxels {
-    int background; /* a value that most samples have, and none of the voxels; -1: none is left out */
+    /* a value that most samples have, and none of the voxels; -1: none is left out */
+    int background;
     VoxelOrder along[3];
 } Voxels;
 
@@ -71,8 +73,8 @@ typedef struct VoxelRun {
     uint32_t patch; /* of the slice */
 } VoxelRun;
 
-/* The runs that a transfer function shows: run_of[slice] is the first of a slice, run_of[slices] behind
- * the last.
+/* The runs that a transfer function shows: run_of[slice] is the first of a slice, run_of[slices]
+ * behind the last.
  * out  runs, run_of: of the caller, with gp_free
  * errors GP_ERROR_MEMORY */
 GpResult voxels_gather(const VoxelOrder *order, const bool shown[FIELD_VALUES], VoxelRun **runs,

@@ -45,7 +45,8 @@ void gp_assert_failed(const char *condition, const char *file, int line)
 
 enum { LINE = 64, HUGE_PAGE = 2 << 20 };
 
-/* The first place in a block of malloc's that is aligned, with room before it for where the block begins. */
+/* The first place in a block of malloc's that is aligned, with room before it for where the block
+ * begins. */
 static void *align(char *block, size_t alignment)
 {
     const uintptr_t behind = (uintptr_t)(block + sizeof block);
@@ -54,10 +55,11 @@ static void *align(char *block, size_t alignment)
     return memory;
 }
 
-/* Bytes at the start of a block that ask for huge pages. Rows of a large surface lie pages apart, and blocks of
- * many pages are read at random: there are more pages than processors keep addresses of; and each is
- * fetched from the system when it is touched first (the last half of a huge page counts as one: whole
- * commands take 16 to 20 % less where the system is a guest that traps them). */
+/* Bytes at the start of a block that ask for huge pages. Rows of a large surface lie pages apart,
+ * and blocks of many pages are read at random: there are more pages than processors keep addresses
+ * of; and each is fetched from the system when it is touched first (the last half of a huge page
+ * counts as one: whole commands take 16 to 20 % less where the system is a guest that traps
+ * them). */
 static size_t huge_bytes(size_t bytes)
 {
 #ifdef __SANITIZE_ADDRESS__ /* sees what is beyond a block only where nothing follows it */
@@ -68,8 +70,8 @@ static size_t huge_bytes(size_t bytes)
 #endif
 }
 
-/* Zeros are calloc's, which knows what the system has cleared: so pages are touched where they are used first, by
- * all threads, and others never. */
+/* Zeros are calloc's, which knows what the system has cleared: so pages are touched where they are
+ * used first, by all threads, and others never. */
 static void *alloc(size_t bytes, bool zeros)
 {
     if (bytes > SIZE_MAX / 2)

@@ -56,9 +56,9 @@ void gp_free(void *memory);
 
 typedef void (*GpEndFn)(void);
 
-/* Has `end` called, in whatever thread, where memory ends and who asked would not hear of it: what counts shaders
- * goes on without its figures, and libraries of C++ throw what cannot be caught while they are loaded. It does not
- * return. NULL, as at first: they go on. */
+/* Has `end` called, in whatever thread, where memory ends and who asked would not hear of it: what
+ * counts shaders goes on without its figures, and libraries of C++ throw what cannot be caught
+ * while they are loaded. It does not return. NULL, as at first: they go on. */
 void gp_call_without_memory(GpEndFn end);
 GpEndFn gp_called_without_memory(void);
 

@@ -109,7 +109,8 @@ GP_INLINE flt math_exp2(flt x)
     return flt_select(x == x, flt_select(denormal, rounded, scaled), x);
 }
 
-/* 2^x where most of the time no lane is beside an edge: then there is nothing to cut or to select. */
+/* 2^x where most of the time no lane is beside an edge: then there is nothing to cut or to
+ * select. */
 GP_INLINE flt math_exp2_mostly_normal(flt x)
 {
     utg n;

@@ -6,7 +6,8 @@
 
 #include <string.h>
 
-/* A list of gp_alloc, whose large blocks are of huge pages, with room for one more element, which may have moved.
+/* A list of gp_alloc, whose large blocks are of huge pages, with room for one more element, which
+ * may have moved.
  * in   list: NULL where room is 0
  * out  failed: true where there is no memory, else as it was; may be NULL
  * returns NULL where there is no memory: the list stays as it is */

@@ -17,8 +17,8 @@ typedef struct Worker {
 } Worker;
 
 /* Looks at a word that is about to change before a thread sleeps. The phases of a frame follow each
- * other within the tenth of a millisecond that the longer wait takes; waking a thread takes as long.
- * Where threads are more than processors, whoever looks is in the way of one that works. */
+ * other within the tenth of a millisecond that the longer wait takes; waking a thread takes as
+ * long. Where threads are more than processors, whoever looks is in the way of one that works. */
 enum { LOOKS = 4000, LOOKS_IF_CROWDED = 200 };
 
 /* Items in a row that belong to one worker. Whoever is done takes those of others. */
@@ -55,7 +55,8 @@ static void pause_briefly(void)
 #endif
 }
 
-/* Looks before it takes, so that many who are done do not fight over parts that have nothing left. */
+/* Looks before it takes, so that many who are done do not fight over parts that have nothing
+ * left. */
 static void do_part(GpPool *pool, Part *part, int worker)
 {
     while (atomic_load_explicit(&part->next, memory_order_relaxed) < part->end) {
@@ -156,8 +157,9 @@ int gp_pool_threads(const GpPool *pool)
     return pool->threads;
 }
 
-/* A thread may begin on the processor of who made it, and wait there for a tick while others are idle:
- * it is sent away once, and free from then on. Whole commands of 30 ms take 2 to 10 % less. */
+/* A thread may begin on the processor of who made it, and wait there for a tick while others are
+ * idle: it is sent away once, and free from then on. Whole commands of 30 ms take 2 to 10 %
+ * less. */
 static void begin_elsewhere(pthread_t thread)
 {
 #ifdef __linux__

@@ -6,7 +6,8 @@
 #include <stdint.h>
 
 /* Number of the last element whose member is at most `key`; 0 where that of none is.
- * in   member: the first element's; stride: bytes from one to the next; count: elements, at least 1 */
+ * in   member: the first element's; stride: bytes from one to the next; count: elements, at least
+ *      1 */
 static inline uint32_t gp_last_at_most(const uint32_t *member, size_t stride, uint32_t count,
                                        uint32_t key)
 {

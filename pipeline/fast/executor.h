@@ -15,8 +15,8 @@ struct GpFast {
     bool timed;             /* the list that runs */
     GpCheckedPrograms programs;
     GpIndexRanges indices; /* of the list, from its check to the end of its run */
-    void **
-        fragments; /* that wait to be sorted, or to come again: one a worker, made when first needed */
+    /* that wait to be sorted, or to come again: one a worker, made when first needed */
+    void **fragments;
     size_t fragment_bytes;
     size_t limit, vertex_bytes;
     FastArena arena;   /* draws and shaded vertices of the group */
@@ -37,8 +37,9 @@ typedef struct FastCursor {
  * the cursor behind them; false when memory is short. */
 bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *group);
 
-/* Bytes that a list may take of the executor, beside the surfaces and the geometry that it names: at the
- * most, but for bins of passes that sort, whose size depends on how many tiles a triangle meets.
+/* Bytes that a list may take of the executor, beside the surfaces and the geometry that it names:
+ * at the most, but for bins of passes that sort, whose size depends on how many tiles a triangle
+ * meets.
  * in   list: checked; tile_bytes, fragment_bytes: of a worker */
 uint64_t gp_fast_bytes(const GpFast *fast, const GpList *list, size_t tile_bytes,
                        size_t fragment_bytes);

@@ -24,8 +24,8 @@
  * pixel by pixel (raster/fill_tiny.c), small ones some rows at a time (raster/fill_small.c), large
  * ones row by row (raster/fill_large.c); those behind the hierarchical depth around them are left
  * out before, and, where nothing looks at depth, all that a later cover of the tile hides
- * (raster/corners.h). Point sprites have a short way of their own (raster/sprite.c); where they only
- * combine bits, add to floats or leave their depth, their pixels share packets
+ * (raster/corners.h). Point sprites have a short way of their own (raster/sprite.c); where they
+ * only combine bits, add to floats or leave their depth, their pixels share packets
  * (raster/pack_points.c), and sums of a pixel stand side by side (output/blend_add.c).
  *
  * Fragments take the path of their draw (raster/fragment_path.h). Where nothing looks at the colour
@@ -37,22 +37,22 @@
  * (shade/layers.c). Where it only discards, and nearer fragments hide others, large triangles are
  * sorted (raster/sorted_triangles.c).
  *
- * Where the pass sorts, shaded fragments wait in the tile's lists (shade/fragments.c) until all have
- * come, and are sorted and blended then, the pixels of a packet side by side (shade/blend_sorted.c).
- * Those of triangles that have one colour each are there before it is found (raster/fill_one_color.c,
- * shade/one_color.c).
+ * Where the pass sorts, shaded fragments wait in the tile's lists (shade/fragments.c) until all
+ * have come, and are sorted and blended then, the pixels of a packet side by side
+ * (shade/blend_sorted.c). Those of triangles that have one colour each are there before it is found
+ * (raster/fill_one_color.c, shade/one_color.c).
  *
- * Passes that draw again what an earlier one of their group drew, as peeling does, have its vertices and
- * bins (draws/repeat.h); and where primitives alone decide on fragments, a tile finds and interpolates
- * them once and keeps them, as packets that are full (shade/repeated.h).
+ * Passes that draw again what an earlier one of their group drew, as peeling does, have its
+ * vertices and bins (draws/repeat.h); and where primitives alone decide on fragments, a tile finds
+ * and interpolates them once and keeps them, as packets that are full (shade/repeated.h).
  *
  * output/depth.c and output/blend.c are the output end, texture/sample.c is the texture unit.
  *
  * Every value is a function of per-triangle constants and the pixel's position, in the operations
  * that CONVENTIONS.md fixes; that is why all this moving about changes no bit.
  *
- * Floors, from the ground; a file includes and calls its own folder and those below. What is in lanes/ is
- * compiled once for each width; lanes/names.h tells the copies apart:
+ * Floors, from the ground; a file includes and calls its own folder and those below. What is in
+ * lanes/ is compiled once for each width; lanes/names.h tells the copies apart:
  *   draws/                            what is prepared: draws, passes, groups, bins, samplers
  *   lanes/memory/                     a tile's place, targets, packets
  *   lanes/texture/, lanes/output/     the texture unit; the output end
@@ -63,7 +63,8 @@
  *
  * Glossary.
  *   packet                GP_LANES fragments: a row, 2x2 quads, or the short rows of a sprite
- *   gathered packet       its fragments are of several triangles, placed as a packet's or from anywhere
+ *   gathered packet       its fragments are of several triangles, placed as a packet's or from
+ *                         anywhere
  *   compacted fragments   those of tiny triangles, put side by side in gathered packets
  *   triangle record       what shading needs of a triangle or point: edges, ratios, corners
  *   visibility buffer     of each pixel the record in front, not yet shaded
@@ -98,17 +99,18 @@ GpResult gp_fast_create(int threads, GpFast **fast, GpError *error);
 void gp_fast_destroy(GpFast **fast); /* NULL-safe, sets NULL */
 int gp_fast_threads(const GpFast *fast);
 
-/* Bytes that running a list may take, beside the surfaces and the geometry that it names: at the most, but for
- * bins of passes that sort, whose size depends on how many tiles a triangle meets. What a run that lacks memory
- * says. in list: checked */
+/* Bytes that running a list may take, beside the surfaces and the geometry that it names: at the
+ * most, but for bins of passes that sort, whose size depends on how many tiles a triangle meets.
+ * What a run that lacks memory says. in list: checked */
 uint64_t gp_fast_memory(const GpFast *fast, const GpList *list, int lanes);
 
-/* Bytes of shaded vertices, and of bins, after which what is there is drawn before more is made, but
- * for passes that sort; and of a tile's sorted fragments. Any number gives the same bits; for tests. */
+/* Bytes of shaded vertices, and of bins, after which what is there is drawn before more is made,
+ * but for passes that sort; and of a tile's sorted fragments. Any number gives the same bits; for
+ * tests. */
 void gp_fast_set_limit(GpFast *fast, size_t bytes);
 
-/* As gp_list_check, by all threads, which read indices in lanes of a width that the build has and the processor
- * runs; the list may run in another. */
+/* As gp_list_check, by all threads, which read indices in lanes of a width that the build has and
+ * the processor runs; the list may run in another. */
 GpResult gp_fast_check(GpFast *fast, const GpList *list, int lanes, GpError *error);
 
 /* Runs a checked list with shader code of a width that every program has.

@@ -1,8 +1,8 @@
 /* What a list may take of the executor's memory, before it runs. */
 #include "pipeline/fast/executor.h"
 
-/* Blocks of an arena double: together they are at most so many times what is taken of them. And bins
- * grow by half, from an array into another. */
+/* Blocks of an arena double: together they are at most so many times what is taken of them. And
+ * bins grow by half, from an array into another. */
 enum { ARENA_FACTOR = 3, BINS_FACTOR = 4, BYTES_OF_PRIMITIVE = 32 };
 
 /* Of a draw's vertices, and of indices where they are spelled out. */

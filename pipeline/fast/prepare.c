@@ -37,8 +37,8 @@ static FastFragmentPath choose_path(const FastDraw *d)
     return FAST_VISIBLE;
 }
 
-/* Only nearer fragments pass, and what survives the shader replaces all that was there. What tests depth late
- * has no path but the ordered one. */
+/* Only nearer fragments pass, and what survives the shader replaces all that was there. What tests
+ * depth late has no path but the ordered one. */
 static bool nearest_wins(const FastDraw *d)
 {
     const GpState *state = &d->draw->state;
@@ -82,8 +82,8 @@ static bool packs_points(const FastDraw *d)
     return d->only_adds || !d->needs.color;
 }
 
-/* What the shader looks at differs between triangles alone, and nothing of what it gives takes a fragment
- * away or moves it. */
+/* What the shader looks at differs between triangles alone, and nothing of what it gives takes a
+ * fragment away or moves it. */
 static bool has_one_color(const FastDraw *d)
 {
     const GpProgram *program = d->draw->program;
@@ -163,7 +163,8 @@ static void resolve_blends(FastDraw *d)
     }
 }
 
-/* Samplers of the slots that the program reads, and none in the others; false when memory is short. */
+/* Samplers of the slots that the program reads, and none in the others; false when memory is
+ * short. */
 static bool prepare_samplers(FastArena *arena, FastDraw *d)
 {
     unsigned read = d->draw->program->samplers | d->draw->program->vertex_samplers;
@@ -204,7 +205,8 @@ static bool writes_depth(const GpPass *pass)
     return false;
 }
 
-/* Room for a draw's vertices, unless they are those of an earlier one; false when memory is short. */
+/* Room for a draw's vertices, unless they are those of an earlier one; false when memory is
+ * short. */
 static bool prepare_vertices(FastArena *arena, FastDraw *d)
 {
     d->stride = (uint32_t)d->modes.components;
@@ -346,7 +348,8 @@ static bool has_numbers(const FastPass *p, const GpDraw *draw)
     return p->primitive_count <= GP_MAX_PRIMITIVES - gp_geometry_primitives(&draw->geometry);
 }
 
-/* Whether a pixel's sorted fragments can be blended one after the other without asking whose they are. */
+/* Whether a pixel's sorted fragments can be blended one after the other without asking whose they
+ * are. */
 static bool has_one_blend(const FastPass *p)
 {
     const FastDraw *first = &p->draws[0];
@@ -366,8 +369,8 @@ static bool has_one_blend(const FastPass *p)
     return p->draw_count > 0;
 }
 
-/* Prepares a pass from the cursor on, as far as the limit allows, but one draw at least, and all of a
- * pass whose fragments are sorted; moves the cursor behind it.
+/* Prepares a pass from the cursor on, as far as the limit allows, but one draw at least, and all of
+ * a pass whose fragments are sorted; moves the cursor behind it.
  * in   group: passes before it */
 static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, const FastGroup *group,
                          FastPass *p)

@@ -18,8 +18,8 @@ typedef struct Job {
     bool again;           /* and so is a part of this one */
 } Job;
 
-/* Each thread should have some items, but few keep threads away from each other's lines of the caches: a million
- * points are shaded 8 to 15 % sooner. */
+/* Each thread should have some items, but few keep threads away from each other's lines of the
+ * caches: a million points are shaded 8 to 15 % sooner. */
 static uint32_t blocks_of_item(uint32_t blocks, int threads)
 {
     const uint32_t part = blocks / (8 * (uint32_t)threads);
@@ -89,8 +89,8 @@ static void clear_item(void *context, uint32_t item, int worker)
 
 /* --- rounds ----------------------------------------------------------------------------------- */
 
-/* Bins as much as there is memory for, which in order is what can be drawn next. Returns the first range
- * that is not binned whole, or the count of ranges. */
+/* Bins as much as there is memory for, which in order is what can be drawn next. Returns the first
+ * range that is not binned whole, or the count of ranges. */
 static uint32_t bin_ranges(Job *job)
 {
     const FastRange *ranges = job->fast->ranges;
@@ -101,7 +101,8 @@ static uint32_t bin_ranges(Job *job)
     return stop;
 }
 
-/* The ranges of a pass that repeats another are that one's while all are there: in the first round. */
+/* The ranges of a pass that repeats another are that one's while all are there: in the first
+ * round. */
 static FastRange *ranges_of(const Job *job, const FastPass *p)
 {
     const bool others = p->repeats && !job->again;

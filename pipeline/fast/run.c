@@ -8,8 +8,8 @@
 /* Bytes of shaded vertices, and of bins, after which what is there is drawn before more is made. */
 enum { LIMIT = 24 << 20 };
 
-/* Bytes that fragments of one tile may take while they wait to be sorted, or to come again. No page of it is touched before
- * it is needed. */
+/* Bytes that fragments of one tile may take while they wait to be sorted, or to come again. No page
+ * of it is touched before it is needed. */
 enum { FRAGMENT_BYTES = 14 << 20 };
 
 GpResult gp_fast_create(int threads, GpFast **fast, GpError *error)

@@ -1,5 +1,5 @@
-/* What `glasspipe shader FILE` gives to the shaders of a file: one model in the middle of the world, a
- * light and a camera. Such a file includes this, and nothing else:
+/* What `glasspipe shader FILE` gives to the shaders of a file: one model in the middle of the
+ * world, a light and a camera. Such a file includes this, and nothing else:
  *
  *     #include <glasspipe/effect.h>
  *

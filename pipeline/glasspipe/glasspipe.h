@@ -44,16 +44,15 @@ typedef struct GpDeviceDesc {
 /* An executor with its threads, its memory and its counters; gp_device_create makes one. */
 typedef struct GpDevice GpDevice;
 
-/* Creates a device. Errors: GP_ERROR_INVALID (executor, threads, isa's name, a trace that the executor does not
- * have), GP_ERROR_UNSUPPORTED (an isa that this processor or build lacks),
+/* Creates a device. Errors: GP_ERROR_INVALID (executor, threads, isa's name, a trace that the
+ * executor does not have), GP_ERROR_UNSUPPORTED (an isa that this processor or build lacks),
  * GP_ERROR_MEMORY. Several devices may run at once, each from its own thread. */
 GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *error);
 void gp_device_destroy(GpDevice **device); /* NULL-safe, sets NULL */
 
-/* Checks the list (gp_list_check), then runs it to the end. On an error no texel has changed, but for
- * GP_ERROR_MEMORY of the fast executor, or of passes that sort, which may come after earlier passes
- * were drawn.
- * The floating-point control word is set for the duration and restored (R29). */
+/* Checks the list (gp_list_check), then runs it to the end. On an error no texel has changed, but
+ * for GP_ERROR_MEMORY of the fast executor, or of passes that sort, which may come after earlier
+ * passes were drawn. The floating-point control word is set for the duration and restored (R29). */
 GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error);
 
 /* The isa that the last run used ("sse2", ...), or the forced one before any. */

@@ -8,8 +8,8 @@
 
 enum { GP_BIG_ENDIAN_MACHINE = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__ };
 
-/* Unsigned integers of size 1, 2, 4 or 8 bytes at any alignment. In line, as compilers make one move of those
- * of a stated size: the bytes are the first of eight. */
+/* Unsigned integers of size 1, 2, 4 or 8 bytes at any alignment. In line, as compilers make one
+ * move of those of a stated size: the bytes are the first of eight. */
 static inline uint64_t gp_load_little(const void *bytes, size_t size)
 {
     uint64_t first = 0;
@@ -28,8 +28,8 @@ static inline uint64_t gp_load_big(const void *bytes, size_t size)
  * overlap. */
 void gp_copy_samples(void *out, const void *in, size_t count, size_t size, bool is_big_endian);
 
-/* Bytes that grow. Start with all zero; data is freed with gp_free. After a failed allocation nothing
- * is kept. */
+/* Bytes that grow. Start with all zero; data is freed with gp_free. After a failed allocation
+ * nothing is kept. */
 typedef struct GpBytes {
     char *data;
     size_t size, room;

@@ -92,8 +92,8 @@ static int write_and_close(int handle, const char *data, size_t size)
     return close(handle) != 0 && problem == 0 ? errno : problem;
 }
 
-/* Temporary files that are there, by name, for gp_file_abandon. Where more are written at once than there
- * are places, the others are not known here. */
+/* Temporary files that are there, by name, for gp_file_abandon. Where more are written at once than
+ * there are places, the others are not known here. */
 static _Atomic(const char *) unfinished[16];
 
 static atomic_bool is_abandoned; /* from then on no file gets a name */
@@ -107,8 +107,8 @@ static void set_unfinished(const char *old, const char *name)
     }
 }
 
-/* Another thread may be about to give a file the name that is written there already: a moment is waited for it,
- * and no more, as it may be this one, in whose midst a signal came. */
+/* Another thread may be about to give a file the name that is written there already: a moment is
+ * waited for it, and no more, as it may be this one, in whose midst a signal came. */
 static void remove_unfinished(_Atomic(const char *) *place)
 {
     const char *name = atomic_load(place);
@@ -125,8 +125,8 @@ void gp_file_abandon(void)
         remove_unfinished(&unfinished[i]);
 }
 
-/* Where a path leads, its last links followed though nothing may be there; false: in a circle, or too
- * long. */
+/* Where a path leads, its last links followed though nothing may be there; false: in a circle, or
+ * too long. */
 static bool follow_links(const char *path, char end[PATH_MAX])
 {
     if (realpath(path, end))
@@ -155,9 +155,9 @@ struct GpFilePieces {
     char temporary[PATH_MAX], end[PATH_MAX];
 };
 
-/* Makes the temporary file's name by `make`, which returns below 0 and says EEXIST where another has it.
- * The name is short and does not depend on the target's, so it fits wherever the target fits; the
- * process number keeps two programs apart, EEXIST two threads.
+/* Makes the temporary file's name by `make`, which returns below 0 and says EEXIST where another
+ * has it. The name is short and does not depend on the target's, so it fits wherever the target
+ * fits; the process number keeps two programs apart, EEXIST two threads.
  * returns what `make` did */
 static int name_beside(GpFilePieces *file, int (*make)(const GpFilePieces *))
 {
@@ -190,7 +190,8 @@ static int give_name(const GpFilePieces *file)
     return linkat(AT_FDCWD, handle, AT_FDCWD, file->temporary, AT_SYMLINK_FOLLOW);
 }
 
-/* A file without a name in the folder of the target: whatever ends the process, nothing is left of it.
+/* A file without a name in the folder of the target: whatever ends the process, nothing is left of
+ * it.
  * returns below 0 where the system has none */
 static int create_nameless(const char *end)
 {

@@ -35,15 +35,16 @@ GpResult gp_file_read(const char *path, GpFile *file, GpError *error);
 /* Frees the bytes and empties *file; NULL and empty files are fine. */
 void gp_file_free(GpFile *file);
 
-/* Writes a file beside its place, without a name where the system has such files, and renames it, so that
- * path has either its old or its new content and never a part. A symbolic link is followed, also to what is not there yet; a
- * device or a pipe (there is nothing to replace) is written straight.
+/* Writes a file beside its place, without a name where the system has such files, and renames it,
+ * so that path has either its old or its new content and never a part. A symbolic link is followed,
+ * also to what is not there yet; a device or a pipe (there is nothing to replace) is written
+ * straight.
  * in     data: size bytes, NULL allowed where size is 0
  * errors GP_ERROR_IO (no such folder, not writable, disk full); nothing is left behind */
 GpResult gp_file_write(const char *path, const void *data, size_t size, GpError *error);
 
-/* A file that is written piece by piece, as gp_file_write writes one: begun beside its place, and put there
- * when it is whole. */
+/* A file that is written piece by piece, as gp_file_write writes one: begun beside its place, and
+ * put there when it is whole. */
 typedef struct GpFilePieces GpFilePieces;
 
 /* errors GP_ERROR_IO, GP_ERROR_MEMORY; owns: the caller, until gp_file_end */
@@ -54,12 +55,13 @@ GpResult gp_file_add(GpFilePieces *pieces, const void *data, size_t size, GpErro
  * errors GP_ERROR_IO: nothing is left then */
 GpResult gp_file_end(GpFilePieces **pieces, bool whole, GpError *error);
 
-/* Removes what gp_file_write has begun, in whatever thread: for what ends the program at any moment, a
- * signal handler among it. */
+/* Removes what gp_file_write has begun, in whatever thread: for what ends the program at any
+ * moment, a signal handler among it. */
 void gp_file_abandon(void);
 
 /* Finds a data file: the path as given, then in $GLASSPIPE_DATA, then in ../shared/data, then in
- * ../share/glasspipe as seen from the program's folder. An absolute path is only looked for as it is.
+ * ../share/glasspipe as seen from the program's folder. An absolute path is only looked for as it
+ * is.
  * out    path: the first of these that exists, size bytes with the terminator
  * errors GP_ERROR_IO where there is none or it does not fit; path is untouched then */
 GpResult gp_data_find(const char *name, char *path, size_t size, GpError *error);

@@ -111,7 +111,8 @@ typedef struct Decimal {
     int exponent;
 } Decimal;
 
-/* Any digits; of those that are kept, `step` is added to the exponent. returns how many there are */
+/* Any digits; of those that are kept, `step` is added to the exponent. returns how many there
+ * are */
 static size_t take_digits(const char **at, const char *end, int step, Decimal *decimal)
 {
     const uint64_t most = ((1ull << 53) - 9) / 10;
@@ -152,8 +153,9 @@ static bool read_decimal(const char *at, const char *end, Decimal *decimal)
     return at == end;
 }
 
-/* One operation of binary64 on two numbers that it holds is rounded as it should be, and rounding that to
- * binary32 goes wrong only from the middle between two floats, or among subnormal ones. Texts of meshes are read
+/* One operation of binary64 on two numbers that it holds is rounded as it should be, and rounding
+ * that to binary32 goes wrong only from the middle between two floats, or among subnormal ones.
+ * Texts of meshes are read
  * in two thirds of the time.
  * source William Clinger, "How to Read Floating Point Numbers Accurately", PLDI 1990
  * returns whether this is so */

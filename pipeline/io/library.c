@@ -26,7 +26,8 @@ GpResult gp_library_find(const char *file, const char *name, void **found, GpErr
         *found = symbol;
         return GP_OK;
     }
-    /* The loader has words for each thing that it had no memory for; these are for other failures. */
+    /* The loader has words for each thing that it had no memory for; these are for other
+     * failures. */
     const char *why = dlerror();
     why = why ? why : name;
     if (strstr(why, "cannot open shared object file"))

@@ -14,7 +14,8 @@ typedef struct GpCounters {
     uint64_t vertices;           /* vertices shaded */
     uint64_t primitives;         /* assembled */
     uint64_t primitives_clipped; /* cut by a plane */
-    /* pixel shader invocations, helper pixels apart; the fast executor shades only what may be seen */
+    /* pixel shader invocations, helper pixels apart; the fast executor shades only what may be
+     * seen */
     uint64_t fragments_shaded;
     /* that waited for others of their pixel; the fast executor's depth test may take some away
      * before */

@@ -1,5 +1,5 @@
-/* Ranges of the vertices that index arrays name: each array is read once a list, by as many threads as
- * there are, however many draws share it. */
+/* Ranges of the vertices that index arrays name: each array is read once a list, by as many threads
+ * as there are, however many draws share it. */
 #ifndef GP_INDEX_RANGE_H
 #define GP_INDEX_RANGE_H
 

@@ -25,8 +25,8 @@ int gp_isa_lanes(const char *name)
 }
 
 #ifdef __x86_64__
-/* Halves from floats and back. clang 14 has no name for it to be asked by; and the instruction that tells
- * takes as long as a small draw on a virtual machine, so it is run once. */
+/* Halves from floats and back. clang 14 has no name for it to be asked by; and the instruction that
+ * tells takes as long as a small draw on a virtual machine, so it is run once. */
 static bool has_f16c(void)
 {
     enum { UNKNOWN, NO, YES };

@@ -35,8 +35,8 @@ bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface)
 
 /* --- memory of the caller's ------------------------------------------------------------------- */
 
-/* The surfaces that a pass has at hand pixel by pixel: its targets, and what its draws read in place.
- * Calls `look` with each until that says true. */
+/* The surfaces that a pass has at hand pixel by pixel: its targets, and what its draws read in
+ * place. Calls `look` with each until that says true. */
 static bool any_at_hand(const GpPass *pass,
                         bool (*look)(const GpSurface *surface, const GpPass *context),
                         const GpPass *context)
@@ -71,8 +71,8 @@ static bool is_target_by_other_name(const GpSurface *surface, const GpPass *writ
 
 /* --- groups ----------------------------------------------------------------------------------- */
 
-/* Surfaces that passes read at other places than a pixel's own, and those that they render to. Frames
- * have many passes and few surfaces. */
+/* Surfaces that passes read at other places than a pixel's own, and those that they render to.
+ * Frames have many passes and few surfaces. */
 enum { SURFACES = 64 };
 typedef struct SurfaceSet {
     const GpSurface *surface[SURFACES];
@@ -130,11 +130,11 @@ static bool any_shared(const SurfaceSet *a, const SurfaceSet *b)
     return false;
 }
 
-/* A pass joins the group [first, pass) if it has its size, reads its targets only in place, renders to
- * nothing that the group reads elsewhere, and none of their texels has two names. (Nor where
+/* A pass joins the group [first, pass) if it has its size, reads its targets only in place, renders
+ * to nothing that the group reads elsewhere, and none of their texels has two names. (Nor where
  * there are more surfaces than a set has room for: groups are not owed.)
- * in   group, own: surfaces of the group and of the pass; some_borrowed: of the two, one has borrowed
- *      surfaces at all */
+ * in   group, own: surfaces of the group and of the pass; some_borrowed: of the two, one has
+ *      borrowed surfaces at all */
 static bool joins(const GpList *list, uint32_t first, uint32_t pass, const PassSurfaces *group,
                   const PassSurfaces *own, bool some_borrowed)
 {

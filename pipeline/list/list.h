@@ -1,9 +1,9 @@
 /* Lists, passes and draws: the whole work of a frame as plain data.
  *
- * A list is an array of passes; a pass is render targets and an array of draws; a draw is a program,
- * its uniforms, geometry, fixed state and textures. Nothing happens until gp_device_run: a list can
- * be printed, checked, dumped pass by pass, inspected and run again. Everything is borrowed until
- * the run returns.
+ * A list is an array of passes; a pass is render targets and an array of draws; a draw is a
+ * program, its uniforms, geometry, fixed state and textures. Nothing happens until gp_device_run: a
+ * list can be printed, checked, dumped pass by pass, inspected and run again. Everything is
+ * borrowed until the run returns.
  */
 #ifndef GP_LIST_H
 #define GP_LIST_H
@@ -51,8 +51,9 @@ typedef struct GpPass {
     uint32_t draw_count;
     GpOrder order; /* of a pixel's fragments */
 
-    /* What targets clear, they clear inside these, each cut to the targets, and whatever scissor and
-     * viewport say; none: everywhere. (Direct3D's Clear. In the middle of a frame it is a pass.) */
+    /* What targets clear, they clear inside these, each cut to the targets, and whatever scissor
+     * and viewport say; none: everywhere. (Direct3D's Clear. In the middle of a frame it is a
+     * pass.) */
     const GpRect *clear_rects;
     uint32_t clear_rect_count;
 } GpPass;
@@ -69,7 +70,8 @@ void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height);
 /* The part of them that all its targets have, after gp_list_check; where it is drawn. */
 GpRect gp_pass_window(const GpPass *pass);
 
-/* The parts in which a pass clears, at least one, and part i of them: pixels of the targets, or none. */
+/* The parts in which a pass clears, at least one, and part i of them: pixels of the targets, or
+ * none. */
 static inline uint32_t gp_pass_clear_parts(const GpPass *pass)
 {
     return pass->clear_rect_count ? pass->clear_rect_count : 1;
@@ -81,18 +83,19 @@ bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface);
 
 /* Checks everything that can be checked before the first pixel: targets (formats, equal sizes, no
  * surface twice, none that is also a texture of the pass), programs (gp_program_check, targets
- * written against targets bound), geometry (streams present, indices in range), state (enumerations,
- * scissor, finite viewport inside the guard band, a ternary test with its compare function and epsilon,
- * blending and logic on formats that have them, stencil only with stencil bits), textures (bound where the program reads, compare samplers on
- * depth surfaces, local reads on surfaces of the pass's size, no others on surfaces that have a window).
+ * written against targets bound), geometry (streams present, indices in range), state
+ * (enumerations, scissor, finite viewport inside the guard band, a ternary test with its compare
+ * function and epsilon, blending and logic on formats that have them, stencil only with stencil
+ * bits), textures (bound where the program reads, compare samplers on depth surfaces, local reads
+ * on surfaces of the pass's size, no others on surfaces that have a window).
  * errors GP_ERROR_INVALID, with the pass, the draw and the field named:
  *        "pass 2 'light', draw 0 'quad': textures[1].surface: not bound, but deferred_program reads
  *        slot 1" */
 GpResult gp_list_check(const GpList *list, GpError *error);
 
-/* Groups: consecutive passes of one size and window in which a pixel reads earlier targets of the group only at
- * its own position (gp_load_local), and none has two names for one memory, may run tile by tile, all passes of a tile in turn, with the same
- * result by construction.
+/* Groups: consecutive passes of one size and window in which a pixel reads earlier targets of the
+ * group only at its own position (gp_load_local), and none has two names for one memory, may run
+ * tile by tile, all passes of a tile in turn, with the same result by construction.
  * out  group_of[pass]: group number, from 0, rising
  * returns the number of groups */
 uint32_t gp_list_groups(const GpList *list, uint32_t *group_of);

@@ -1,5 +1,5 @@
-/* The list's check, for who runs lists again and again: with the ranges of indices that it has found, and
- * without counting the shaders of programs that were right before. */
+/* The list's check, for who runs lists again and again: with the ranges of indices that it has
+ * found, and without counting the shaders of programs that were right before. */
 #ifndef GP_LIST_CHECK_H
 #define GP_LIST_CHECK_H
 
@@ -12,7 +12,8 @@
 /* Primitives of a draw, and of all draws of a pass that sorts: bins number them, and keep a bit. */
 enum { GP_MAX_PRIMITIVES = 1 << 30 };
 
-/* For who goes through a pass from draw to draw, at draw `number`: those of a long list are in no cache. */
+/* For who goes through a pass from draw to draw, at draw `number`: those of a long list are in no
+ * cache. */
 GP_PREFETCHES void gp_prefetch_draws(const GpPass *pass, uint32_t number)
 {
     enum { AHEAD = 2 };
@@ -20,8 +21,9 @@ GP_PREFETCHES void gp_prefetch_draws(const GpPass *pass, uint32_t number)
         gp_prefetch(&pass->draws[number + AHEAD], offsetof(GpDraw, textures));
 }
 
-/* Whether two draws have the same program, which reads no texture, viewport and state: of many small draws neighbours
- * do. They take 5 % less where that is asked before they are checked and described again. */
+/* Whether two draws have the same program, which reads no texture, viewport and state: of many
+ * small draws neighbours do. They take 5 % less where that is asked before they are checked and
+ * described again. */
 bool gp_draws_alike(const GpDraw *a, const GpDraw *b);
 
 /* Programs that were found right, the last few, as they were then. A zeroed one is empty. */
@@ -37,7 +39,8 @@ typedef struct GpCheckedPrograms {
 GpPixelFacts gp_checked_facts(const GpCheckedPrograms *programs, const GpProgram *program);
 
 /* As gp_list_check.
- * in/out programs: those that are found right are added; ranges: the last that were read are known */
+ * in/out programs: those that are found right are added; ranges: the last that were read are
+ *      known */
 GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, GpIndexRanges *ranges,
                              GpError *error);
 

@@ -28,7 +28,8 @@ typedef struct GpNeeds {
 } GpNeeds;
 
 /* The needs of a draw in its pass; both already checked.
- * in   varyings_read: of the draw's program, as gp_pixel_facts (pipeline/shader/counts.h) has them */
+ * in   varyings_read: of the draw's program, as gp_pixel_facts (pipeline/shader/counts.h) has
+ *      them */
 GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_read);
 
 /* What becomes of one unit. The texts are constants. */

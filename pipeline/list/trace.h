@@ -76,8 +76,8 @@ typedef struct GpTraceSetup {
     bool culled;
     const char *reason; /* NULL, or why it draws nothing: "facing", "zero area", ... */
 
-    /* unless culled: E_i = a x + b y + c in sub-pixels, opposite corner i, positive inside; and whether a
-     * centre on it is inside, since it is a top or a left edge (R5) */
+    /* unless culled: E_i = a x + b y + c in sub-pixels, opposite corner i, positive inside; and
+     * whether a centre on it is inside, since it is a top or a left edge (R5) */
     int64_t a[3], b[3], c[3];
     bool accepts_zero[3]; /* of each edge */
 } GpTraceSetup;
@@ -211,14 +211,14 @@ typedef struct GpTrace {
     bool one_pass, one_draw, one_primitive;
     uint32_t pass, draw, primitive;
     bool steps, missed; /* GP_TRACE_STEPS and GP_TRACE_MISSED are sent too */
-    /* Of which pixels events are sent; those of vertices, clipping and set-up come all the same. NULL:
-     * of all */
+    /* Of which pixels events are sent; those of vertices, clipping and set-up come all the same.
+     * NULL: of all */
     bool (*wants)(void *user, int32_t x, int32_t y);
     bool (*wants_steps)(void *user); /* whether steps are, from now on; NULL: always */
     uint32_t without;                /* kinds that are not sent, 1 << GP_TRACE_VERTEX and so on */
-    /* On a device of the fast executor, which wants it there: the units draw only quads of 2x2 pixels that have one
-     * which is told of, and the executor everything. The same events as of the reference executor, much sooner
-     * where pixels are few */
+    /* On a device of the fast executor, which wants it there: the units draw only quads of 2x2
+     * pixels that have one which is told of, and the executor everything. The same events as of the
+     * reference executor, much sooner where pixels are few */
     bool only_wanted;
 } GpTrace;
 

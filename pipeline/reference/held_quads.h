@@ -14,7 +14,8 @@ typedef struct GpHeldQuads {
     bool failed; /* for want of memory some are not there */
 } GpHeldQuads;
 
-/* Makes ready for a pass. errors GP_ERROR_MEMORY. owns: the caller, until gp_held_free, also then */
+/* Makes ready for a pass. errors GP_ERROR_MEMORY. owns: the caller, until gp_held_free, also
+ * then */
 GpResult gp_held_begin(GpHeldQuads *quads, const GpPass *pass, GpError *error);
 
 /* Holds the quad whose first pixel is (x, y), unless it is held. */

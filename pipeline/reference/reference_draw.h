@@ -52,7 +52,8 @@ bool gp_trace_sends(const GpReferenceDraw *d, GpTraceKind kind);
 bool gp_trace_wants_quad(const GpReferenceDraw *d, const GpQuad *quad);
 
 /* One call a unit; each looks at the filter by itself. Where one pixel is watched, the events of
- * vertices, clipping and set-up wait until a quad of the primitive covers it, and then come first. */
+ * vertices, clipping and set-up wait until a quad of the primitive covers it, and then come
+ * first. */
 void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t pass_number);
 void gp_trace_clip(const GpReferenceDraw *d); /* the vertices, then the clipping */
 void gp_trace_setup(const GpReferenceDraw *d);
@@ -66,8 +67,8 @@ void gp_trace_texture(const GpReferenceDraw *d, const GpTextureRead *read,
 void gp_trace_steps(GpReferenceDraw *d, const GpQuad *before, const GpQuad *shaded);
 void gp_trace_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask);
 
-/* The same of the vertex shader, for the primitive's corners; once, after the first of its pixels that is
- * wanted was told of. in: quad: NULL: a pixel that the primitive missed was */
+/* The same of the vertex shader, for the primitive's corners; once, after the first of its pixels
+ * that is wanted was told of. in: quad: NULL: a pixel that the primitive missed was */
 void gp_trace_vertex_steps(GpReferenceDraw *d, const GpQuad *quad);
 
 /* Reports one of the tests that only shrink the mask, after it ran: "scissor", "clip plane",
@@ -82,8 +83,8 @@ void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsign
  * in   source: [channel][pixel], before blending */
 void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target, float source[4][4]);
 
-/* Where a triangle would have been: its part that was culled, and what near or far plane alone cut away
- * of all of it. For who asks (GpTrace.missed). */
+/* Where a triangle would have been: its part that was culled, and what near or far plane alone cut
+ * away of all of it. For who asks (GpTrace.missed). */
 void gp_trace_missed_part(GpReferenceDraw *d);
 void gp_trace_missed_clip(GpReferenceDraw *d);
 

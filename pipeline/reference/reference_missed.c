@@ -1,8 +1,8 @@
 /* Where triangles are not, and would have been: what a trace tells of culling and clipping.
  *
- * A triangle that was culled is set up once more with both facings. One that the near or the far plane
- * alone cut is clipped once more without these two: its vertices' z is replaced by what both planes
- * let through wherever w is positive. */
+ * A triangle that was culled is set up once more with both facings. One that the near or the far
+ * plane alone cut is clipped once more without these two: its vertices' z is replaced by what both
+ * planes let through wherever w is positive. */
 #include "pipeline/reference/reference_draw.h"
 
 #include "pipeline/units/raster.h"

@@ -1,5 +1,5 @@
-/* A shader's instructions, one by one: a quad, or a primitive's vertices, are shaded once more by the counting
- * build, which computes, and what comes out is held against what was drawn with. */
+/* A shader's instructions, one by one: a quad, or a primitive's vertices, are shaded once more by
+ * the counting build, which computes, and what comes out is held against what was drawn with. */
 #include "pipeline/base/grow.h"
 #include "pipeline/reference/reference_draw.h"
 #include "pipeline/units/input_assembly.h"

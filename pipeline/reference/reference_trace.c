@@ -66,8 +66,8 @@ bool gp_trace_sends(const GpReferenceDraw *d, GpTraceKind kind)
     return wants_draw(d) && !(d->reference->trace->without >> kind & 1);
 }
 
-/* Next pixel of a quad, from `pixel` on, that is in the mask and whose events of the kind are wanted; 4 at
- * the end. */
+/* Next pixel of a quad, from `pixel` on, that is in the mask and whose events of the kind are
+ * wanted; 4 at the end. */
 static int next_pixel(const GpReferenceDraw *d, GpTraceKind kind, const GpQuad *quad, unsigned mask,
                       int pixel)
 {

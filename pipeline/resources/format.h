@@ -60,8 +60,8 @@ uint32_t gp_unorm_from_float(float value, int bits);
 /* n-bit unorm code to float: code / (2^n - 1), correctly rounded (R23). */
 float gp_float_from_unorm(uint32_t code, int bits);
 
-/* n-bit snorm code, 2 <= n <= 16, to float: code / (2^(n-1) - 1), correctly rounded; the least code is
- * -1 as the one above it is (R25). */
+/* n-bit snorm code, 2 <= n <= 16, to float: code / (2^(n-1) - 1), correctly rounded; the least code
+ * is -1 as the one above it is (R25). */
 float gp_float_from_snorm(int32_t code, int bits);
 
 /* Float to half: to nearest even, overflow to infinity, denormals kept, any NaN to 0x7e00 (R27,
@@ -88,8 +88,8 @@ static inline float gp_canonical(float value)
 
 /* --- texels ----------------------------------------------------------------------------------- */
 
-/* Reads one texel as (r, g, b, a). Channels that the format lacks read as 1, but for green and blue of
- * L8, which read as red; depth formats give (depth, 1, 1, 1).
+/* Reads one texel as (r, g, b, a). Channels that the format lacks read as 1, but for green and blue
+ * of L8, which read as red; depth formats give (depth, 1, 1, 1).
  * in   texel: bytes of the format, any alignment
  * out  rgba */
 void gp_texel_load(GpFormat format, const void *texel, float rgba[4]);

@@ -30,8 +30,9 @@ extern const char *const gp_semantic_names[GP_SEMANTICS];
 typedef enum GpPrimitive {
     GP_TRIANGLES = 0, /* 3i, 3i + 1, 3i + 2 */
     GP_POINTS,        /* i: a point sprite, a screen-aligned square, never culled (R12) */
-    GP_TRIANGLE_STRIP, /* i, i + 1, i + 2; where i is odd i, i + 2, i + 1, so that all turn one way */
-    GP_TRIANGLE_FAN,   /* i + 1, i + 2, 0 */
+    /* i, i + 1, i + 2; where i is odd i, i + 2, i + 1, so that all turn one way */
+    GP_TRIANGLE_STRIP,
+    GP_TRIANGLE_FAN, /* i + 1, i + 2, 0 */
     GP_PRIMITIVES
 } GpPrimitive;
 

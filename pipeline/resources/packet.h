@@ -12,8 +12,8 @@ enum {
     GP_MAX_POINT_SIZE = 4096,             /* pixels a side of a point sprite */
 };
 
-/* Nearest 24.8 fixed-point number, ties to even (R2); |value| <= 33000. The product is exact, and so
- * is nearbyintf. */
+/* Nearest 24.8 fixed-point number, ties to even (R2); |value| <= 33000. The product is exact, and
+ * so is nearbyintf. */
 static inline int32_t gp_snap(float value)
 {
     return (int32_t)nearbyintf(value * (float)GP_SUBPIXELS);
@@ -35,8 +35,8 @@ typedef struct GpScreenVertex {
     const float *varying;
 } GpScreenVertex;
 
-/* A triangle ready for the rasterizer. Corners are ordered so that area2 > 0; corner 0 is always the
- * first vertex, whose values flat interpolants take. Edge i lies opposite corner i:
+/* A triangle ready for the rasterizer. Corners are ordered so that area2 > 0; corner 0 is always
+ * the first vertex, whose values flat interpolants take. Edge i lies opposite corner i:
  *   E_i(x, y) = a[i] * x + b[i] * y + c[i],   x, y in sub-pixels,
  * an exact integer, positive inside; the three sum to area2 everywhere. */
 typedef struct GpTriangle {
@@ -51,8 +51,8 @@ typedef struct GpTriangle {
     double z_base, z_step[2];
     float inverse_area; /* 1 / area2 */
 
-    /* interpolants are summed from the corner that is nearest to the eye on: it has the greatest rw,
-     * and is the first of those that have */
+    /* interpolants are summed from the corner that is nearest to the eye on: it has the greatest
+     * rw, and is the first of those that have */
     int nearest;
     float rw_ratio[2]; /* rw of the two corners after it, in their order, over its own: 0..1 */
 } GpTriangle;

@@ -1,7 +1,7 @@
 /* Fixed-function state of a draw: plain data, all zero = a sensible default.
  *
- * Names and meanings are Direct3D 9's (CONVENTIONS.md, "Pixels"); the value 0 of each enumeration is the
- * unit switched off, so that a draw says only what it uses.
+ * Names and meanings are Direct3D 9's (CONVENTIONS.md, "Pixels"); the value 0 of each enumeration
+ * is the unit switched off, so that a draw says only what it uses.
  */
 #ifndef GP_STATE_H
 #define GP_STATE_H
@@ -63,9 +63,10 @@ typedef struct GpViewport {
 
 /* The depth test. All zero: none, and depth is not written.
  *
- * The ternary test is an extension (CONVENTIONS.md): a fragment in front of the stored depth by more
- * than epsilon replaces what the pixel's targets hold, one within epsilon is blended with it, one
- * behind by more is dropped. It asks for GP_LESS_EQUAL and for write, which stores the nearer depth. */
+ * The ternary test is an extension (CONVENTIONS.md): a fragment in front of the stored depth by
+ * more than epsilon replaces what the pixel's targets hold, one within epsilon is blended with it,
+ * one behind by more is dropped. It asks for GP_LESS_EQUAL and for write, which stores the nearer
+ * depth. */
 typedef struct GpDepthState {
     GpCompare test; /* incoming TEST stored */
     bool write;     /* store the depth of fragments that pass; works with GP_ALWAYS too */
@@ -156,8 +157,9 @@ typedef struct GpBlend {
     uint8_t keep; /* bit c: channel c (0 red .. 3 alpha) keeps its bits (R37) */
 } GpBlend;
 
-/* In which order the fragments of a pixel, of all draws of a pass, come to stencil, depth and blending
- * (an extension: CONVENTIONS.md, Sorted fragments). Equal depths keep the order of submission. */
+/* In which order the fragments of a pixel, of all draws of a pass, come to stencil, depth and
+ * blending (an extension: CONVENTIONS.md, Sorted fragments). Equal depths keep the order of
+ * submission. */
 typedef enum GpOrder {
     GP_ORDER_SUBMITTED = 0, /* draws, and their primitives, one after the other (R35) */
     GP_ORDER_DEPTH,         /* the farthest first: what "over" asks for */

@@ -45,16 +45,17 @@ typedef struct GpSurfaceDesc {
     uint32_t levels;
     const char *name; /* for messages and dumps; copied, at most 31 characters kept */
 
-    /* Texels in memory of the caller's, who keeps it until the surface is destroyed; what it holds is
-     * the surface's content. NULL: the surface's own. One level; any alignment, though multiples of 64
-     * for both are quickest; in all at most 2^31 - 1 bytes. Bytes between the rows are left alone. */
+    /* Texels in memory of the caller's, who keeps it until the surface is destroyed; what it holds
+     * is the surface's content. NULL: the surface's own. One level; any alignment, though multiples
+     * of 64 for both are quickest; in all at most 2^31 - 1 bytes. Bytes between the rows are left
+     * alone. */
     void *memory;
     size_t pitch; /* bytes from one row to the next, at least a row's; 0: rows without padding */
 
-    /* The part of it that has texels, of its own and of one level: for targets of pictures that are drawn
-     * part by part. All is as if the whole were there, of up to GP_MAX_WHOLE texels a side, but that
-     * nothing is drawn elsewhere, and that shaders read it only in place (gp_load_local). Sides are those of
-     * the whole, or multiples of GP_WINDOW_STEP. All zero: the whole. */
+    /* The part of it that has texels, of its own and of one level: for targets of pictures that are
+     * drawn part by part. All is as if the whole were there, of up to GP_MAX_WHOLE texels a side,
+     * but that nothing is drawn elsewhere, and that shaders read it only in place (gp_load_local).
+     * Sides are those of the whole, or multiples of GP_WINDOW_STEP. All zero: the whole. */
     GpRect window;
 } GpSurfaceDesc;
 
@@ -65,8 +66,8 @@ typedef struct GpLevel {
     size_t pitch; /* bytes from one row to the next; without padding where the surface owns them */
 } GpLevel;
 
-/* A surface owns its texels, or borrows them; the struct may be read by anyone, and texels may be written by the
- * caller while no list that uses the surface runs. */
+/* A surface owns its texels, or borrows them; the struct may be read by anyone, and texels may be
+ * written by the caller while no list that uses the surface runs. */
 typedef struct GpSurface {
     char name[32];
     GpFormat format;
@@ -128,8 +129,8 @@ GpResult gp_surface_read_floats(const GpSurface *surface, uint32_t level, const 
 GpResult gp_surface_read_bytes(const GpSurface *surface, uint32_t level, const GpRect *rect,
                                void *bytes, size_t pitch, GpError *error);
 
-/* Whether texels of one are texels of the other: they are the same, or borrow the same memory. Where
- * pitches differ, memory between their rows counts as theirs. */
+/* Whether texels of one are texels of the other: they are the same, or borrow the same memory.
+ * Where pitches differ, memory between their rows counts as theirs. */
 bool gp_surfaces_share(const GpSurface *a, const GpSurface *b);
 
 /* Computes each level from the stored one before by a 2x2 box (sRGB formats: in linear light):

@@ -2,13 +2,14 @@
  *
  * Here flt, float2.. are names of nodes, and every instruction, infix operators included, records
  * itself into an instruction graph instead of computing: the very source that draws also reports
- * what it costs. pipeline/shader/graph_counts.c says what is counted and how. The types and names are
- * those of the C vocabulary, widening included; `program(id, ...)` emits
+ * what it costs. pipeline/shader/graph_counts.c says what is counted and how. The types and names
+ * are those of the C vocabulary, widening included; `program(id, ...)` emits
  *
  *   extern "C" bool id_count(const GpProgram *id, GpShaderCounts *vertex, GpShaderCounts *pixel)
  *
- * which the C build of the same file refers to, weakly, as .count; and id_step likewise, which runs a
- * shader step by step. What a program declares is in the C build alone. C++ asks one thing of a shader that C does not: no C++ keyword as a name.
+ * which the C build of the same file refers to, weakly, as .count; and id_step likewise, which runs
+ * a shader step by step. What a program declares is in the C build alone. C++ asks one thing of a
+ * shader that C does not: no C++ keyword as a name.
  */
 #ifndef GP_COUNTING_HPP
 #define GP_COUNTING_HPP

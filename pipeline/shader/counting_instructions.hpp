@@ -1,5 +1,5 @@
-/* The vocabulary of the shader language in counting lanes: each instruction records itself. The types
- * and names are those of the C vocabulary (types.h, instructions.h). */
+/* The vocabulary of the shader language in counting lanes: each instruction records itself. The
+ * types and names are those of the C vocabulary (types.h, instructions.h). */
 #ifndef GP_COUNTING_INSTRUCTIONS_HPP
 #define GP_COUNTING_INSTRUCTIONS_HPP
 
@@ -267,7 +267,8 @@ inline float3 crs(float3 a, float3 b, GpPlace at = gp_here())
 
 /* --- infix, on flt and numbers ---------------------------------------------------------------- */
 
-/* A side of an infix operator, with the place of the operator, which has no arguments of its own. */
+/* A side of an infix operator, with the place of the operator, which has no arguments of its
+ * own. */
 struct GpSide {
     flt value;
     bool is_number;

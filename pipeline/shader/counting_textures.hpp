@@ -1,5 +1,5 @@
-/* Texture reads, kills and what a pixel knows of itself, in counting lanes (as textures.h and pixels.h). gp, the
- * invocation, is asked for because C needs it. */
+/* Texture reads, kills and what a pixel knows of itself, in counting lanes (as textures.h and
+ * pixels.h). gp, the invocation, is asked for because C needs it. */
 #ifndef GP_COUNTING_TEXTURES_HPP
 #define GP_COUNTING_TEXTURES_HPP
 

@@ -85,9 +85,9 @@ GP_INLINE void gp_interpolate(flt *in, int components, const flt *value, flt wei
         in[i] = value[3 * i] + (weight1 * value[3 * i + 1] + weight2 * value[3 * i + 2]);
 }
 
-/* Packets side by side. A processor sees some 200 operations ahead, which are those of one long chain: two packets
- * of Phong take a quarter less, four another quarter, though sixteen registers do not hold them. Three sines are
- * best by two. */
+/* Packets side by side. A processor sees some 200 operations ahead, which are those of one long
+ * chain: two packets of Phong take a quarter less, four another quarter, though sixteen registers
+ * do not hold them. Three sines are best by two. */
 #ifndef GP_SHADER_AT_ONCE
 #define GP_SHADER_AT_ONCE 1
 #endif
@@ -99,9 +99,9 @@ GP_INLINE int gp_beside(int k, int i, int count)
     return k + i < count ? k + i : count - 1;
 }
 
-/* Packets from k on, of `count` from `first` on. from: inputs of packet `at`, the i-th of them. What a shader
- * leaves unwritten stays as it was: all of it is written, or the program is refused. (One alone writes where it
- * belongs: copies of four targets cost vox_add 5 %.) */
+/* Packets from k on, of `count` from `first` on. from: inputs of packet `at`, the i-th of them.
+ * What a shader leaves unwritten stays as it was: all of it is written, or the program is refused.
+ * (One alone writes where it belongs: copies of four targets cost vox_add 5 %.) */
 #define GP_PIXEL_STEP(name, U, OUT, first, k, count, from)                                         \
     GpInvocation invocation[GP_AT_ONCE];                                                           \
     OUT shaded[GP_AT_ONCE];                                                                        \
@@ -128,9 +128,9 @@ GP_INLINE int gp_beside(int k, int i, int count)
         GP_PIXEL_STEP(name, U, OUT, 0, k, call->packets, in + at)                                  \
     }
 
-/* Of few components: interpolated in the shader's own loop they need not go through memory, which costs
- * short shaders as much again (fill_blend32f takes 14 % less, with AVX-512 20 %). The packets of a layer are those
- * from `first` on; `step` takes packet k and those beside it. */
+/* Of few components: interpolated in the shader's own loop they need not go through memory, which
+ * costs short shaders as much again (fill_blend32f takes 14 % less, with AVX-512 20 %). The packets
+ * of a layer are those from `first` on; `step` takes packet k and those beside it. */
 #define GP_PIXEL_LAYERS(name, step, beside)                                                        \
     const int packets = call->packets / call->layers;                                              \
     for (int layer = 0, first = 0; layer < call->layers; layer++, first += packets) {              \
@@ -188,8 +188,8 @@ GP_INLINE int gp_begun(int k, int count)
     return count - k < GP_BEGUN ? count - k : GP_BEGUN;
 }
 
-/* Packets first..first + count - 1, of inputs `from`, through all parts. (Invocations field by field, or gcc
- * clears each by one slow instruction.) */
+/* Packets first..first + count - 1, of inputs `from`, through all parts. (Invocations field by
+ * field, or gcc clears each by one slow instruction.) */
 #define GP_PIXEL_PARTS(name, U, BEGUN, first, count, from)                                         \
     GpInvocation invocation[GP_BEGUN];                                                             \
     BEGUN begun[GP_BEGUN];                                                                         \
@@ -246,9 +246,9 @@ GP_INLINE int gp_begun(int k, int count)
                        weight2[k + i]);                                                            \
     GP_PIXEL_PARTS(name, U, BEGUN, first + k, count, inputs)
 
-/* A pixel shader in two parts with a loop of at most so many turns between them. Packets that are side by side turn
- * until none of them changes any more, and none waits for its own chain alone: a Mandelbrot set takes a third less
- * with AVX2, a tenth with AVX-512. */
+/* A pixel shader in two parts with a loop of at most so many turns between them. Packets that are
+ * side by side turn until none of them changes any more, and none waits for its own chain alone: a
+ * Mandelbrot set takes a third less with AVX2, a tenth with AVX-512. */
 #define pixel_shader_begin_turns(name, U, IN, BEGUN, most)                                         \
     enum { name##_turns = (most) };                                                                \
     GP_SHADER_SIZES(name, U, IN, float4)                                                           \
@@ -280,9 +280,9 @@ GP_INLINE int gp_begun(int k, int count)
         __attribute__((unused)) GpInvocation *gp, __attribute__((unused)) const U *c,              \
         __attribute__((unused)) const IN *in, __attribute__((unused)) BEGUN *begun)
 
-/* One without turns: what the first part returns is `begun` for the second. Packets go through the first,
- * which may call for textures, before any goes through the second, where some are side by side: light behind a
- * shadow map takes 4 to 6 % less of a frame than in one part. */
+/* One without turns: what the first part returns is `begun` for the second. Packets go through the
+ * first, which may call for textures, before any goes through the second, where some are side by
+ * side: light behind a shadow map takes 4 to 6 % less of a frame than in one part. */
 #define pixel_shader_begin(name, U, IN, BEGUN)                                                     \
     pixel_shader_turn(name, U, IN, BEGUN)                                                          \
     {                                                                                              \
@@ -319,8 +319,8 @@ GP_INLINE int gp_begun(int k, int count)
     extern const GpProgramCode GP_CODE(name);                                                      \
     const GpProgramCode GP_CODE(name) = { GP_LANES, GP_ISA_NAME, vs, ps };
 
-/* The other variants may be missing; a build that has them all defines GP_WEAK as nothing, so that they
- * are found in archives too. */
+/* The other variants may be missing; a build that has them all defines GP_WEAK as nothing, so that
+ * they are found in archives too. */
 #ifndef GP_WEAK
 #define GP_WEAK __attribute__((weak))
 #endif
@@ -345,7 +345,8 @@ GP_INLINE int gp_begun(int k, int count)
 #define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)
 #endif
 
-/* Defines the GpProgram `id` of two shaders; what follows them are fields of GpProgram, by their names,
+/* Defines the GpProgram `id` of two shaders; what follows them are fields of GpProgram, by their
+ * names,
  * in any order. */
 #define program(id, vs, ps, ...)                                                                   \
     _Static_assert((int)vs##_uniforms == (int)ps##_uniforms,                                       \

@@ -178,7 +178,8 @@ static void add_output(GpGraph *graph, const GpPart *part, int parts, int first)
     memcpy(output->part, part, (size_t)parts * sizeof *part);
 }
 
-/* Components of the register of the struct that begins at component `first`; 0: none is declared. */
+/* Components of the register of the struct that begins at component `first`; 0: none is
+ * declared. */
 static int register_components(const GpGraph *graph, int first)
 {
     const GpVaryingDecl *varying = graph->program->varyings;

@@ -1,11 +1,12 @@
 /* The instruction graph that the counting build of a shader records.
  *
- * Every operation of the vocabulary (counting_instructions.hpp) adds one node: an instruction with its operands, or
- * a leaf: a number, a uniform, an input. Nothing is computed, unless the shader is run step by step
- * (graph_steps.c); graph_counts.c reads the figures off it.
+ * Every operation of the vocabulary (counting_instructions.hpp) adds one node: an instruction with
+ * its operands, or a leaf: a number, a uniform, an input. Nothing is computed, unless the shader is
+ * run step by step (graph_steps.c); graph_counts.c reads the figures off it.
  *
- * This is what the counting build calls; one shader at a time runs in a thread, and the calls are about that.
- * Where memory ends, nodes go missing, the shader runs on, and who asked for it is told at the end.
+ * This is what the counting build calls; one shader at a time runs in a thread, and the calls are
+ * about that. Where memory ends, nodes go missing, the shader runs on, and who asked for it is told
+ * at the end.
  */
 #ifndef GP_GRAPH_H
 #define GP_GRAPH_H
@@ -30,8 +31,8 @@ typedef enum GpNodeKind {
     GP_NODE_LOOP
 } GpNodeKind;
 
-/* One component of a node: the flt of counting lanes. All zero it is the number 0, as `float3 sum = { 0 }` is in
- * C. */
+/* One component of a node: the flt of counting lanes. All zero it is the number 0, as `float3 sum =
+ * { 0 }` is in C. */
 typedef struct GpPart {
     int32_t node;
     uint8_t component;
@@ -63,7 +64,8 @@ typedef struct GpPlace {
 /* --- of the vocabulary ------------------------------------------------------------------------ */
 
 /* Adds an instruction.
- * in   operand: at most GP_STEP_OPERANDS, of reads the coordinate first; index: texture slot of reads
+ * in   operand: at most GP_STEP_OPERANDS, of reads the coordinate first; index: texture slot of
+ *      reads
  * returns its node */
 int32_t gp_graph_add(const GpOp *op, GpStepCode code, GpPlace at, const GpOperand *operand,
                      int operands, int index);
@@ -110,7 +112,8 @@ void gp_graph_end(const GpGraphBody *body);
 
 /* --- of a program ----------------------------------------------------------------------------- */
 
-/* The shaders of a program as recorded: each begins, runs its body and ends. pixel: NULL, there is none. */
+/* The shaders of a program as recorded: each begins, runs its body and ends. pixel: NULL, there is
+ * none. */
 typedef struct GpGraphShaders {
     void (*vertex)(void), (*pixel)(void);
     bool software; /* GP_SHADER_SW */

@@ -1,35 +1,36 @@
 /* The figures of a shader, read off its instruction graph.
  *
- * What reaches no output and kills no pixel is dead and is not counted: Direct3D's compilers removed it. The rest
- * is priced and read as follows.
+ * What reaches no output and kills no pixel is dead and is not counted: Direct3D's compilers
+ * removed it. The rest is priced and read as follows.
  *
- Slots: the table of CONVENTIONS.md, "Profiles". What no single instruction does costs what its shortest sequence
- * does: a / b is rcp and mul, 1 / b rcp, sqrt_ rsq and rcp, floor_ frc and sub, dp2 a dp2add. Every
- * instruction has its price in both kinds of shader, though Direct3D gave lit, dst, sgn, slt and
- * sge to vertex shaders only and dp2add to pixel shaders only. Swizzles, packing (rgba, vec3, xyz)
- * and negation are free. sat is free as _sat of an instruction that computes its operand, 1 on an
- * input, a uniform or a texel, and 2 (min, max) in a vertex shader below model 3, which has no _sat.
- * abs_ costs 1. mul and add are two slots unless written as mad: nothing is fused, folded or merged.
- * A comparison is free against the number 0 and 1 otherwise (sub); == and != take 1 more (mul), and
- * so does each & | ^ ~ of masks; sel is the cmp that follows; discard is a texkill.
+ * Slots: the table of CONVENTIONS.md, "Profiles". What no single instruction does costs what its
+ * shortest sequence does: a / b is rcp and mul, 1 / b rcp, sqrt_ rsq and rcp, floor_ frc and sub,
+ * dp2 a dp2add. Every instruction has its price in both kinds of shader, though Direct3D gave lit,
+ * dst, sgn, slt and sge to vertex shaders only and dp2add to pixel shaders only. Swizzles, packing
+ * (rgba, vec3, xyz) and negation are free. sat is free as _sat of an instruction that computes its
+ * operand, 1 on an input, a uniform or a texel, and 2 (min, max) in a vertex shader below model 3,
+ * which has no _sat. abs_ costs 1. mul and add are two slots unless written as mad: nothing is
+ * fused, folded or merged. A comparison is free against the number 0 and 1 otherwise (sub); == and
+ * != take 1 more (mul), and so does each & | ^ ~ of masks; sel is the cmp that follows; discard is
+ * a texkill.
  *
- * Moves: an output register takes a mov where some component of it is an input, a constant, a texel,
- * negated, or computed by an instruction that something else reads too. In ps_2_x every target and
- * oDepth takes one: nothing but mov may write them.
+ * Moves: an output register takes a mov where some component of it is an input, a constant, a
+ * texel, negated, or computed by an instruction that something else reads too. In ps_2_x every
+ * target and oDepth takes one: nothing but mov may write them.
  *
  * Temporaries: an estimate. The live instructions are put in an order that depends on the graph
  * alone (texkills, then outputs, each after its operands from left to right), since the order in
- * which C++ evaluates arguments is the compiler's choice. A result lives from its instruction to the
- * last one that reads it, where its register may be written again; a texel takes a whole register,
- * other results as many components as are read. At each instruction the living results are packed
- * four components a register without splitting any; the largest number of registers is reported.
- * Registers that a macro instruction needs inside are not included.
+ * which C++ evaluates arguments is the compiler's choice. A result lives from its instruction to
+ * the last one that reads it, where its register may be written again; a texel takes a whole
+ * register, other results as many components as are read. At each instruction the living results
+ * are packed four components a register without splitting any; the largest number of registers is
+ * reported. Registers that a macro instruction needs inside are not included.
  *
  * Constants: the floats of the uniform struct that are read, four a register, plus the distinct
  * numbers (apart from sign, which is a free modifier), four a register. A loader that may pack
- * registers as it likes needs that many. Uniforms are recognised by value: the struct is filled with
- * distinct denormals. Arithmetic on them in plain C is done before the draw, as effect files did it,
- * and counts as a number.
+ * registers as it likes needs that many. Uniforms are recognised by value: the struct is filled
+ * with distinct denormals. Arithmetic on them in plain C is done before the draw, as effect files
+ * did it, and counts as a number.
  *
  * Dependent reads: a read whose coordinate is an interpolant as it stands (its components in order
  * from the first) has order 0. Any other coordinate is computed: order 1 if no texel went into it,

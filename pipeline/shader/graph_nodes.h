@@ -1,5 +1,5 @@
-/* The instruction graph itself (internal): nodes in the order in which they came, so that operands stand before
- * what reads them. */
+/* The instruction graph itself (internal): nodes in the order in which they came, so that operands
+ * stand before what reads them. */
 #ifndef GP_GRAPH_NODES_H
 #define GP_GRAPH_NODES_H
 
@@ -73,7 +73,8 @@ bool gp_graph_has_model2(const GpGraph *graph);
 
 enum { GP_GRAPH_INPUTS = 16 }; /* registers that a program can declare for either shader to read */
 
-/* Components of declared register i < GP_GRAPH_INPUTS that the shader reads; 0: it is not declared. */
+/* Components of declared register i < GP_GRAPH_INPUTS that the shader reads; 0: it is not
+ * declared. */
 int gp_graph_input_components(const GpGraph *graph, int i);
 
 /* Adds a node; node 0 without memory. */
@@ -82,8 +83,8 @@ int32_t gp_graph_add_node(GpGraph *graph, const GpNode *node);
 /* The one node of a leaf. */
 GpPart gp_graph_find_leaf(GpGraph *graph, GpNodeKind kind, int index);
 
-/* The operand components that the live components of a node read, one after the other; NULL after the last.
- * at: where the last was found; zero before the first */
+/* The operand components that the live components of a node read, one after the other; NULL after
+ * the last. at: where the last was found; zero before the first */
 typedef struct GpReads {
     int operand, component;
 } GpReads;
@@ -92,8 +93,8 @@ const GpPart *gp_node_next_read(const GpNode *node, GpReads *at);
 /* Marks what reaches an output, or runs in any case. */
 void gp_graph_mark_live(GpGraph *graph);
 
-/* Puts live instructions in an order that depends on the graph alone: kills and loops first, then outputs, each
- * after its operands from left to right.
+/* Puts live instructions in an order that depends on the graph alone: kills and loops first, then
+ * outputs, each after its operands from left to right.
  * returns false without memory */
 bool gp_graph_arrange(GpGraph *graph);
 
@@ -106,7 +107,8 @@ void gp_graph_values(const GpGraph *graph, GpPart part, float value[4]);
 bool gp_graph_record(GpGraph *graph, void (*shader)(void));
 void gp_graph_free(GpGraph *graph);
 
-/* Memory ended: ends the program, where that is asked for (gp_call_without_memory); false otherwise. */
+/* Memory ended: ends the program, where that is asked for (gp_call_without_memory); false
+ * otherwise. */
 bool gp_graph_missed(void);
 
 #endif

@@ -1,5 +1,5 @@
-/* A graph that is computed: every node has its values in four lanes as soon as it is there, by the instructions'
- * own code (step_values.c). */
+/* A graph that is computed: every node has its values in four lanes as soon as it is there, by the
+ * instructions' own code (step_values.c). */
 #include "pipeline/shader/graph_nodes.h"
 #include "pipeline/shader/step_values.h"
 

@@ -1,4 +1,5 @@
-/* The instructions of the shader language, component by component; CONVENTIONS.md has their semantics. */
+/* The instructions of the shader language, component by component; CONVENTIONS.md has their
+ * semantics. */
 #ifndef GP_SHADER_INSTRUCTIONS_H
 #define GP_SHADER_INSTRUCTIONS_H
 
@@ -130,8 +131,9 @@ GP_INLINE float4 gp_sel4(msk m, float4 a, float4 b)
 #define any(m) msk_any(m)
 
 /* loop_while(turns, mask): a loop of the machine (rep and break_comp of model 3), which is left
- * where the mask is false in all lanes, and after so many turns, at most 255, in any case. What `any`
- * asks for holds. Its slots are counted once, and not for every turn as those of C's loops are. */
+ * where the mask is false in all lanes, and after so many turns, at most 255, in any case. What
+ * `any` asks for holds. Its slots are counted once, and not for every turn as those of C's loops
+ * are. */
 #define loop_while(turns, m)                                                                       \
     for (int GP_UNIQUE(gp_turn) = 0; GP_UNIQUE(gp_turn) < (turns) && msk_any(m);                   \
          GP_UNIQUE(gp_turn)++)
@@ -336,8 +338,8 @@ GP_INLINE float4 gp_rgba(float3 color, flt alpha)
 
 /* --- being looked at -------------------------------------------------------------------------- */
 
-/* Names a value, a flt or a vector, for who looks at a shader's steps (steps.h); in a loop once a turn.
- * Where pixels are drawn it computes nothing. */
+/* Names a value, a flt or a vector, for who looks at a shader's steps (steps.h); in a loop once a
+ * turn. Where pixels are drawn it computes nothing. */
 #define watch(name, value) ((void)sizeof(value))
 
 #endif

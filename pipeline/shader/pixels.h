@@ -1,4 +1,5 @@
-/* What only pixel shaders have: derivatives, discards, depth, the place and the facing of a pixel. */
+/* What only pixel shaders have: derivatives, discards, depth, the place and the facing of a
+ * pixel. */
 #ifndef GP_SHADER_PIXELS_H
 #define GP_SHADER_PIXELS_H
 

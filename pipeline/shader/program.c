@@ -1,5 +1,5 @@
-/* The check of a program: its declarations against each other, and its shaders, counted or tried, against
- * its declarations; counted ones against its profiles too. */
+/* The check of a program: its declarations against each other, and its shaders, counted or tried,
+ * against its declarations; counted ones against its profiles too. */
 #include "pipeline/shader/program.h"
 
 #include "pipeline/shader/profile.h"
@@ -170,8 +170,8 @@ static GpResult check_outputs_written(const GpProgram *p, const GpShaderCounts *
     return GP_OK;
 }
 
-/* Inputs of one width in another order than the struct's: told where its members are named as semantics
- * are. */
+/* Inputs of one width in another order than the struct's: told where its members are named as
+ * semantics are. */
 static GpResult check_named_inputs(const GpProgram *p, const GpShaderCounts *vertex, GpError *error)
 {
     int first = 0;

@@ -1,8 +1,8 @@
 /* Programs: a vertex and a pixel shader, compiled for lanes, with what they declare.
  *
- * A shader source (written with <glasspipe/shader.h>) is compiled once for each lane width; each time
- * it yields a GpProgramCode, and the narrowest also yields the GpProgram that users name. The wider
- * ones and the counting one are weak references, so a program that was compiled once, with no
+ * A shader source (written with <glasspipe/shader.h>) is compiled once for each lane width; each
+ * time it yields a GpProgramCode, and the narrowest also yields the GpProgram that users name. The
+ * wider ones and the counting one are weak references, so a program that was compiled once, with no
  * special flags, runs too. Executors call code through the two function types below, a block of
  * packets at a time; a packet is `lanes` vertices, or pixels of lanes/4 whole 2x2 quads.
  */
@@ -153,14 +153,15 @@ typedef struct GpShaderCounts GpShaderCounts;
 
 typedef struct GpProgram GpProgram;
 
-/* Runs the counting build of a program once, by its profiles, inputs and varyings; vertex and pixel may
- * be NULL.
+/* Runs the counting build of a program once, by its profiles, inputs and varyings; vertex and pixel
+ * may be NULL.
  * returns false where memory ran out */
 typedef bool (*GpCountFn)(const GpProgram *program, GpShaderCounts *vertex, GpShaderCounts *pixel);
 
 struct GpStepRun;
 
-/* Runs a shader of the counting build step by step: gp_program_steps (pipeline/shader/steps.h) calls it.
+/* Runs a shader of the counting build step by step: gp_program_steps (pipeline/shader/steps.h)
+ * calls it.
  * returns false where memory ran out */
 typedef bool (*GpStepFn)(const GpProgram *program, bool vertex, const struct GpStepRun *run);
 
@@ -215,16 +216,16 @@ static inline const GpProgramCode *gp_program_code(const GpProgram *program, int
  * and against their profiles: names, component sums, undeclared texture slots, discards
  * and the like, varyings read but never written; slots, temporaries, constants, samplers, dependent
  * reads, features. A profile that is not declared sets no limits.
- * errors GP_ERROR_INVALID, "program lava_program, ps_2_0: 101 slots, at most 96; ps_2_sw has no such
- *        limit" */
+ * errors GP_ERROR_INVALID, "program lava_program, ps_2_0: 101 slots, at most 96; ps_2_sw has no
+ *        such limit" */
 GpResult gp_program_check(const GpProgram *program, GpError *error);
 
-/* Checks the code of one width against what the program declares, by running it: a few packets of made-up
- * vertices and pixels tell what it reads and writes, since shaders do not branch on what a lane holds.
- * So a program that was never counted is held to its declarations too. Takes some microseconds: to be
- * asked once for a program.
- * in   program: passed gp_program_check; code: one of its own, which this processor runs; uniforms: of
- *      a draw that is to be run
+/* Checks the code of one width against what the program declares, by running it: a few packets of
+ * made-up vertices and pixels tell what it reads and writes, since shaders do not branch on what a
+ * lane holds. So a program that was never counted is held to its declarations too. Takes some
+ * microseconds: to be asked once for a program.
+ * in   program: passed gp_program_check; code: one of its own, which this processor runs; uniforms:
+ *      of a draw that is to be run
  * errors GP_ERROR_INVALID, "program lava_program: slot 3 is read, but not declared in samplers" */
 GpResult gp_program_try(const GpProgram *program, const GpProgramCode *code, const void *uniforms,
                         GpError *error);

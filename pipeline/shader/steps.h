@@ -1,6 +1,6 @@
-/* Shaders run one instruction at a time: the counting build of a shader, which records every instruction,
- * computes its values too, with the instructions' own code at four lanes. So the very source that draws
- * tells its steps, and what it gives has the bits of the code that draws.
+/* Shaders run one instruction at a time: the counting build of a shader, which records every
+ * instruction, computes its values too, with the instructions' own code at four lanes. So the very
+ * source that draws tells its steps, and what it gives has the bits of the code that draws.
  */
 #ifndef GP_STEPS_H
 #define GP_STEPS_H
@@ -11,7 +11,8 @@
 extern "C" {
 #endif
 
-/* The instructions, by their names in the shader language; infix operators are those that they mean. */
+/* The instructions, by their names in the shader language; infix operators are those that they
+ * mean. */
 typedef enum GpStepCode {
     GP_STEP_ADD,
     GP_STEP_SUB,
@@ -117,8 +118,8 @@ typedef struct GpShaderStep {
     float value[4][4]; /* [component of the result][lane] */
 } GpShaderStep;
 
-/* What a shader gives: which step, or leaf, each of its outputs is. Outputs of a vertex shader are the
- * four components of the position, the varyings, the point size; of a pixel shader those of the
+/* What a shader gives: which step, or leaf, each of its outputs is. Outputs of a vertex shader are
+ * the four components of the position, the varyings, the point size; of a pixel shader those of the
  * targets, then its depth. */
 typedef struct GpStepOutput {
     int number;
@@ -128,16 +129,16 @@ typedef struct GpStepOutput {
 /* The most of either shader. */
 enum { GP_STEP_OUTPUTS = 4 * GP_MAX_TARGETS + GP_MAX_VARYINGS + 5 };
 
-/* A value that the shader names, watch("opacity", alpha). Its parts have values, and are of steps that are told
- * where anything needs them, else of step -1. */
+/* A value that the shader names, watch("opacity", alpha). Its parts have values, and are of steps
+ * that are told where anything needs them, else of step -1. */
 typedef struct GpStepWatch {
     const char *name;
     GpStepOperand value;
 } GpStepWatch;
 
-/* Who is told. Steps come in an order that follows from the shader alone: discards and loops first, as
- * they were met, then outputs, each after what it needs; what nothing needs is left out. Then the outputs
- * are told, and what the shader watches, as it was met; watched: NULL, nobody asks. */
+/* Who is told. Steps come in an order that follows from the shader alone: discards and loops first,
+ * as they were met, then outputs, each after what it needs; what nothing needs is left out. Then
+ * the outputs are told, and what the shader watches, as it was met; watched: NULL, nobody asks. */
 typedef struct GpStepListener {
     void (*step)(void *user, const GpShaderStep *step);
     void (*output)(void *user, const GpStepOutput *output);

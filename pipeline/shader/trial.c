@@ -1,5 +1,5 @@
-/* Trials: shaders run on made-up values, with memory that shows what was written, textures that note who
- * reads them, and a second run in which one input differs. */
+/* Trials: shaders run on made-up values, with memory that shows what was written, textures that
+ * note who reads them, and a second run in which one input differs. */
 #include "pipeline/shader/trial.h"
 
 #include <string.h>
@@ -9,8 +9,8 @@ enum { MAX_LANES = 16, MAX_COLORS = 4 * GP_MAX_TARGETS };
 /* As pipeline/shader/entry_points.h leaves a size that is not written. */
 static const uint32_t UNSET = 0x7fa5a5a5u;
 
-/* What inputs and texels are about. Loops that are left when no lane needs them any more are entered at
- * one of these. */
+/* What inputs and texels are about. Loops that are left when no lane needs them any more are
+ * entered at one of these. */
 static const float levels[] = { 0.0f, 1.0f, -1.0f, 0.375f, 100.0f };
 
 typedef struct Packet {
@@ -251,9 +251,10 @@ static void try_pixels(Run *run, GpTrial *trial)
             trial->pixel.inputs_read |= missing & -missing;
 }
 
-/* Bits left in the upper halves of AVX's registers make all that is compiled for SSE slow: on Zen 5 1.5 to 5 times, in
- * this thread and those begun by it. gcc leaves such bits where a shader is not optimized, is checked while it runs, or
- * ends with the call of a function that has no use for those registers. */
+/* Bits left in the upper halves of AVX's registers make all that is compiled for SSE slow: on Zen 5
+ * 1.5 to 5 times, in this thread and those begun by it. gcc leaves such bits where a shader is not
+ * optimized, is checked while it runs, or ends with the call of a function that has no use for
+ * those registers. */
 #ifdef __x86_64__
 __attribute__((target("avx"))) static void clear_upper_halves(void)
 {

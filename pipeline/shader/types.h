@@ -108,8 +108,8 @@ GP_INLINE float4 gp_number4(float a)
 #define GP_WIDTH(a)   _Generic((a), flt : 1, float2 : 2, float3 : 3, float4 : 4, msk : 5, default : 0)
 #define GP_PAIR(a, b) (6 * GP_WIDTH(a) + GP_WIDTH(b))
 
-/* A mistake is answered with a sentence, before the compiler speaks of what stands behind a word of the
- * vocabulary. Bit GP_PAIR(a, b) of the number: b can be widened to a. */
+/* A mistake is answered with a sentence, before the compiler speaks of what stands behind a word of
+ * the vocabulary. Bit GP_PAIR(a, b) of the number: b can be widened to a. */
 #define GP_SAY(condition, text) ((void)__extension__({ _Static_assert(condition, text); }))
 #define GP_WANT(form, a)        GP_SAY(GP_WIDTH(a) % 5 != 0, form ": a must be a flt or a vector")
 #define GP_WANT2(form, a, b)                                                                       \

@@ -4,8 +4,8 @@
 
 #include "pipeline/resources/packet.h"
 
-/* Takes pixels whose alpha (of color[0]) fails against reference/255 out of the mask; that kills all
- * targets. Compared as floats (CHOOSE in CONVENTIONS.md, "Pixels"). */
+/* Takes pixels whose alpha (of color[0]) fails against reference/255 out of the mask; that kills
+ * all targets. Compared as floats (CHOOSE in CONVENTIONS.md, "Pixels"). */
 void gp_alpha_test(const GpAlphaTest *state, GpQuad *quad);
 
 #endif

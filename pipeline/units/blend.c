@@ -1,6 +1,7 @@
 /* Blending: the shader's colour and what the target holds make what is stored.
- * in: blend state and constant, the target's format, source and destination as linear floats; out: one
- * colour, not yet rounded to the format. Rules R30, R32 to R36; factors and operations are Direct3D 9's. */
+ * in: blend state and constant, the target's format, source and destination as linear floats; out:
+ * one colour, not yet rounded to the format. Rules R30, R32 to R36; factors and operations are
+ * Direct3D 9's. */
 #include "pipeline/units/blend.h"
 
 #include <string.h>

@@ -15,8 +15,8 @@ bool gp_blend_reads_target(const GpBlend *blend);
 void gp_blend(const GpBlend *blend, const float constant[4], GpFormat format, const float source[4],
               const float destination[4], float result[4]);
 
-/* The factors that it multiplies with, of the source and of the destination: 0 where the operation has
- * none. in: as gp_blend */
+/* The factors that it multiplies with, of the source and of the destination: 0 where the operation
+ * has none. in: as gp_blend */
 void gp_blend_factors(const GpBlend *blend, const float constant[4], GpFormat format,
                       const float source[4], const float destination[4], float factors[2][4]);
 

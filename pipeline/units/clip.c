@@ -1,6 +1,6 @@
 /* Clipping: a triangle is cut by near, far and guard band, after Sutherland and Hodgman.
- * in: three shaded vertices in clip space; out: a convex polygon whose new corners have varyings of their
- * own. Rules R3, R10; of points R12. */
+ * in: three shaded vertices in clip space; out: a convex polygon whose new corners have varyings of
+ * their own. Rules R3, R10; of points R12. */
 #include "pipeline/units/clip.h"
 
 #include <string.h>
@@ -108,8 +108,8 @@ static float between(float value, float low, float high)
     return value < low ? low : value > high ? high : value;
 }
 
-/* Moves a corner back onto the volume where the rounding of a cut left it outside, which is far when
- * the edge went from a very large to a very small w. A function of the corner alone, so that
+/* Moves a corner back onto the volume where the rounding of a cut left it outside, which is far
+ * when the edge went from a very large to a very small w. A function of the corner alone, so that
  * neighbours still agree. */
 static void settle_corner(const GpGuardBand *band, float clip[4])
 {

@@ -1,6 +1,6 @@
 /* Depth and stencil test: stored codes are compared, then written.
- * in: depths of a quad, its facing, the state and the surface; out: the quad's mask, and the surface.
- * Rules R18, R21, R38, R39. */
+ * in: depths of a quad, its facing, the state and the surface; out: the quad's mask, and the
+ * surface. Rules R18, R21, R38, R39. */
 #include "pipeline/units/depth_stencil.h"
 
 #include "pipeline/resources/compare.h"

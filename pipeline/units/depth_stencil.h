@@ -13,11 +13,13 @@ typedef struct GpDepthStencil {
 
 /* Tests one quad and updates the surface.
  * in   quad: depth, mask, front
- * out  surviving pixels in the mask; those of them that replace in `replaced`; operands and verdicts
- *      in depth_*, stencil_*; depth and stencil of pixels that were alive are written at their place
+ * out  surviving pixels in the mask; those of them that replace in `replaced`; operands and
+ *      verdicts
+ *      in depth_*, stencil_*; depth and stencil of pixels that were alive are written at their
+ *      place
  * order quads of one pixel arrive in submission order; stencil first, then depth
- * source Direct3D 9 depth and stencil states; compared as stored codes (R21). Ternary: Weyrich et al., "A
- *      hardware architecture for surface splatting" (2007) */
+ * source Direct3D 9 depth and stencil states; compared as stored codes (R21). Ternary: Weyrich et
+ *      al., "A hardware architecture for surface splatting" (2007) */
 void gp_depth_stencil(const GpDepthStencil *unit, GpQuad *quad);
 
 /* The code of a depth that is further away by epsilon, which may be past the format's last; the

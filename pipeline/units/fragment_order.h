@@ -7,8 +7,8 @@
 /* Keys are up to this. */
 #define GP_ORDER_KEY_MOST 0x7fffffffu
 
-/* The key of a fragment in a pass with an order by depth: of two in one pixel the lesser has its turn
- * first, and of equal ones the one that was submitted first.
+/* The key of a fragment in a pass with an order by depth: of two in one pixel the lesser has its
+ * turn first, and of equal ones the one that was submitted first.
  * in   depth: any number; is clamped as for the depth test (R18); NaN is behind all others
  * source ours; PowerVR's CLX2 (1998) sorted a tile's translucent layers */
 uint32_t gp_order_key(GpOrder order, float depth, float min_depth, float max_depth);

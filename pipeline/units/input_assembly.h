@@ -27,8 +27,8 @@ void gp_fetch_vertex(const GpGeometry *geometry, const GpProgram *program, uint3
 
 /* Vertex numbers of a primitive, three of a triangle or one of a point; corner 0 comes first.
  * in   primitive < gp_geometry_primitives(geometry)
- * source "Triangle Strips", "Triangle Fans" and "Flat Shading" of Direct3D 9; OpenGL ES 2 has the same
- *      triangles (2.8), and nothing flat */
+ * source "Triangle Strips", "Triangle Fans" and "Flat Shading" of Direct3D 9; OpenGL ES 2 has the
+ *      same triangles (2.8), and nothing flat */
 void gp_assemble(const GpGeometry *geometry, uint32_t primitive, uint32_t vertices[3]);
 
 #endif

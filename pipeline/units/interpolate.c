@@ -1,6 +1,6 @@
 /* Interpolation: barycentrics, depth, clip distances and varyings at the centres of a quad.
- * in: the set-up triangle or sprite and the quad's edge values; out: depth, varyings, and the mask where
- * user planes cut. Rules R11, R12, R16, R18; nothing is stepped from pixel to pixel. */
+ * in: the set-up triangle or sprite and the quad's edge values; out: depth, varyings, and the mask
+ * where user planes cut. Rules R11, R12, R16, R18; nothing is stepped from pixel to pixel. */
 #include "pipeline/units/interpolate.h"
 
 GpVaryingModes gp_varying_modes(const GpProgram *program)

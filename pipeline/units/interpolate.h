@@ -31,8 +31,8 @@ void gp_interpolate_depth(const GpTriangle *triangle, float min_depth, float max
 void gp_interpolate_varyings(const GpTriangle *triangle, const GpVaryingModes *modes,
                              uint64_t wanted, GpQuad *quad);
 
-/* The same, and the barycentrics, as if all were linear on the screen but what is flat: to be looked at
- * beside them. */
+/* The same, and the barycentrics, as if all were linear on the screen but what is flat: to be
+ * looked at beside them. */
 void gp_interpolate_on_screen(const GpTriangle *triangle, const GpVaryingModes *modes,
                               GpQuad *quad);
 

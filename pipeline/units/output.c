@@ -1,6 +1,6 @@
 /* Output: reads what render targets hold under a quad, and stores its colours with the write mask.
- * in: a surface, the quad's colours and mask; out: linear floats, or the stored texels. Rules R24, R27,
- * R31, R37. */
+ * in: a surface, the quad's colours and mask; out: linear floats, or the stored texels. Rules R24,
+ * R27, R31, R37. */
 #include "pipeline/units/output.h"
 
 static uint8_t *texel_under(const GpSurface *surface, const GpQuad *quad, int pixel)

@@ -1,6 +1,6 @@
 /* Pixel stage: packs a quad into lanes, runs the pixel shader, unpacks what it gave.
- * in: varyings, place and facing of a quad; out: colours, depth and kills. Helper pixels are shaded too:
- * derivatives need them. Code wider than a quad gets it repeated. */
+ * in: varyings, place and facing of a quad; out: colours, depth and kills. Helper pixels are shaded
+ * too: derivatives need them. Code wider than a quad gets it repeated. */
 #include "pipeline/units/pixel_stage.h"
 
 enum { MAX_LANES = 16 };

@@ -1,6 +1,6 @@
 /* Rasterizer: walks over the quads of a primitive's box and asks which pixel centres are inside.
- * in: the exact edge functions of set-up; out: quads with their masks and edge values. Rules R5, R9;
- * sprites R12. */
+ * in: the exact edge functions of set-up; out: quads with their masks and edge values. Rules R5,
+ * R9; sprites R12. */
 #include "pipeline/units/raster.h"
 
 static GpRasterWalk walk_box(int32_t x0, int32_t y0, int32_t x1, int32_t y1)

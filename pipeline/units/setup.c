@@ -1,6 +1,6 @@
 /* Set-up: facing, culling, and all that stays constant inside a triangle; squares for points.
- * in: corners in sub-pixels; out: edge functions, depth plane, factors of barycentrics, box. Exact in 64-bit
- * integers but for depth, which is binary64. Rules R2 to R5, R8, R16, R22; points R12. */
+ * in: corners in sub-pixels; out: edge functions, depth plane, factors of barycentrics, box. Exact
+ * in 64-bit integers but for depth, which is binary64. Rules R2 to R5, R8, R16, R22; points R12. */
 #include "pipeline/units/setup.h"
 
 /* First pixel whose centre is at or right of (below) a coordinate, and last at or left of it. */

@@ -1,6 +1,6 @@
 /* Texture sampling: finds the texels under a filter, and blends or compares them.
- * in: a bound texture, coordinates, a level of detail; out: one colour, and a report of the texels used.
- * Rules R40 to R44 by texture_address.c, R46, R48, R49. */
+ * in: a bound texture, coordinates, a level of detail; out: one colour, and a report of the texels
+ * used. Rules R40 to R44 by texture_address.c, R46, R48, R49. */
 #include "pipeline/units/texture.h"
 
 #include <float.h>
@@ -44,8 +44,8 @@ float gp_texture_lod(const float ddx[2], const float ddy[2], uint32_t width, uin
 
 /* --- texels ----------------------------------------------------------------------------------- */
 
-/* What the sampler asks for is rounded and clamped as if it had been drawn into the surface, so that
- * from here on it is a texel like any other. */
+/* What the sampler asks for is rounded and clamped as if it had been drawn into the surface, so
+ * that from here on it is a texel like any other. */
 void gp_texture_border(const GpTexture *texture, uint8_t border[16])
 {
     const GpFormat format = texture->surface->format;
@@ -139,9 +139,9 @@ static void filter_codes(GpFormat format, const Footprint *f, float rgba[4])
         rgba[c] = (float)sum[c] / (float)(255 * ONE * ONE);
 }
 
-/* Whether a texel is not in front of the reference depth (R49). Both sides are converted: the reference is
- * clamped and rounded to the stored format before it is compared, or a surface could not pass the test
- * against its own depth. D32F codes are floats and compared as such. */
+/* Whether a texel is not in front of the reference depth (R49). Both sides are converted: the
+ * reference is clamped and rounded to the stored format before it is compared, or a surface could
+ * not pass the test against its own depth. D32F codes are floats and compared as such. */
 static bool passes(GpFormat format, float reference, const void *texel)
 {
     float clamped = reference < 0.0f ? 0.0f : reference > 1.0f ? 1.0f : reference;
@@ -165,8 +165,8 @@ static void filter_compare(GpFormat format, const Footprint *f, float reference,
 
 /* --- sampling --------------------------------------------------------------------------------- */
 
-/* Appends the texels that have a part in the result; part: of this level, in 256ths; reference: of samplers
- * that compare. */
+/* Appends the texels that have a part in the result; part: of this level, in 256ths; reference: of
+ * samplers that compare. */
 static void report_texels(GpFormat format, uint32_t level, uint32_t part, const Footprint *f,
                           float reference, GpSampleReport *report)
 {

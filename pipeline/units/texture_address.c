@@ -1,5 +1,5 @@
-/* Texture addressing: coordinates become numbers of texels and shares of 256ths, levels of detail become
- * mip levels. Rules R40 to R44. */
+/* Texture addressing: coordinates become numbers of texels and shares of 256ths, levels of detail
+ * become mip levels. Rules R40 to R44. */
 #include "pipeline/units/texture_address.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* Texture reads of a packet: a level of detail for each lane from its quad, then a sample; and reads of
- * the pixel's own position. Rule R44. */
+/* Texture reads of a packet: a level of detail for each lane from its quad, then a sample; and
+ * reads of the pixel's own position. Rule R44. */
 #include "pipeline/units/texture_read.h"
 
 /* Difference of one coordinate across the quad that a lane belongs to. */

@@ -15,8 +15,8 @@ GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t hei
 /* Where a clip-space position is in pixels, before it is snapped. in: as below; out: x, y */
 void gp_viewport_place(const GpViewport *viewport, const float clip[4], float place[2]);
 
-/* Pixels from the origin, both ways, inside which a position has its place: the fixed-point range, and
- * for pictures that reach its end, as only those do that are drawn by windows, some more. */
+/* Pixels from the origin, both ways, inside which a position has its place: the fixed-point range,
+ * and for pictures that reach its end, as only those do that are drawn by windows, some more. */
 static inline float gp_viewport_range(const GpViewport *viewport)
 {
     const float side = viewport->width > viewport->height ? viewport->width : viewport->height;
@@ -29,8 +29,8 @@ static inline float gp_viewport_range(const GpViewport *viewport)
  * returns false where x or y is no number or outside the fixed-point range */
 bool gp_viewport_position(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen);
 
-/* The same for a shaded vertex, with its distances from the user planes (R11): plane . clip position,
- * summed left to right. screen->varying points into the vertex. */
+/* The same for a shaded vertex, with its distances from the user planes (R11): plane . clip
+ * position, summed left to right. screen->varying points into the vertex. */
 bool gp_viewport_transform(const GpViewport *viewport, const GpRasterState *raster,
                            const GpVertex *vertex, GpScreenVertex *screen);
 

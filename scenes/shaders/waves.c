@@ -1,5 +1,5 @@
-/* Waves that run up the model and push it outwards: values[0] is their height, values[1] how many there
- * are, and --time moves them. A grid of lines shows the texture coordinates. */
+/* Waves that run up the model and push it outwards: values[0] is their height, values[1] how many
+ * there are, and --time moves them. A grid of lines shows the texture coordinates. */
 #include <glasspipe/effect.h>
 
 typedef struct Varying {

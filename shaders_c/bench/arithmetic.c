@@ -5,7 +5,7 @@
 
 textured_quad_vertex_shader(arithmetic_vs, ArithmeticUniforms);
 
-/* --- chains of multiply-adds -------------------------------------------------------------------- */
+/* --- chains of multiply-adds ------------------------------------------------------------------ */
 
 /* Two components at a time: with the constants they fit into sixteen registers, four do not. */
 typedef struct Chains {
@@ -37,7 +37,8 @@ GP_INLINE Halves halves_start(float2 uv)
     return (Halves){ chains_start(uv), chains_start(vec2(1.0f - uv.x, 1.0f - uv.y)) };
 }
 
-/* As a loop, which gcc leaves one: alu_flat takes 6 % less with AVX2 than in a line, alu_mad 2 %. */
+/* As a loop, which gcc leaves one: alu_flat takes 6 % less with AVX2 than in a line, alu_mad 2
+ * %. */
 GP_INLINE Chains step4(Chains chains, float2 a, float2 b)
 {
     for (int i = 0; i < 4; i++)
@@ -45,8 +46,8 @@ GP_INLINE Chains step4(Chains chains, float2 a, float2 b)
     return chains;
 }
 
-/* Four steps of one half, then of the other: a processor that looks ahead so far has both to do, where one
- * waits for itself (a sixth less time with AVX2, a quarter with AVX-512). */
+/* Four steps of one half, then of the other: a processor that looks ahead so far has both to do,
+ * where one waits for itself (a sixth less time with AVX2, a quarter with AVX-512). */
 GP_INLINE Halves halves_step4(Halves at, const ArithmeticUniforms *c)
 {
     return (Halves){ step4(at.rg, u2(c->factor), u2(c->addend)),

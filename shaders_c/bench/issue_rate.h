@@ -8,8 +8,8 @@ typedef struct IssueRateUniforms {
     float factor, addend;
 } IssueRateUniforms;
 
-/* Twelve chains of 64 steps v = v * factor + addend, none of which waits for another; on quads in clip
- * space. */
+/* Twelve chains of 64 steps v = v * factor + addend, none of which waits for another; on quads in
+ * clip space. */
 extern const GpProgram issue_rate_program;
 
 #endif

@@ -24,8 +24,8 @@ GP_INLINE Orbit step(Orbit at)
     return (Orbit){ at.cx, at.cy, x, y, at.steps + sel(inside, bcast(1), 0), inside };
 }
 
-/* Four steps: whether all are outside, which a processor can only guess, is known later than the steps
- * themselves. */
+/* Four steps: whether all are outside, which a processor can only guess, is known later than the
+ * steps themselves. */
 pixel_shader_turn(mandelbrot_ps, NoUniforms, UvVarying, Orbit)
 {
     *begun = step(step(step(step(*begun))));

@@ -12,7 +12,7 @@ typedef struct ShadowVarying {
     float4 light_clip;
 } ShadowVarying;
 
-/* --- lighting ----------------------------------------------------------------------------------- */
+/* --- lighting --------------------------------------------------------------------------------- */
 
 /* lit: the share of the light that arrives. */
 GP_INLINE float4 shade(const TwoSidedUniforms *c, const SurfaceVarying *surface, flt lit)
@@ -48,7 +48,7 @@ pixel_shader(two_sided_ps, TwoSidedUniforms, SurfaceVarying)
 program(two_sided_program, two_sided_vs, two_sided_ps, MODEL_2_0, .inputs = { MESH_INPUTS },
         .varyings = { SURFACE_VARYINGS })
 
-/* --- shadows ------------------------------------------------------------------------------------ */
+/* --- shadows ---------------------------------------------------------------------------------- */
 
 vertex_shader(shadow_vs, TwoSidedUniforms, MeshVertex, ShadowVarying)
 {
@@ -56,7 +56,8 @@ vertex_shader(shadow_vs, TwoSidedUniforms, MeshVertex, ShadowVarying)
     out->light_clip = m4x4(out->surface.world, c->light_clip);
 }
 
-/* Where a pixel is in the shadow map: u, v, and its depth as the map would have it, less the bias. */
+/* Where a pixel is in the shadow map: u, v, and its depth as the map would have it, less the
+ * bias. */
 GP_INLINE float3 map_place(const TwoSidedUniforms *c, float4 light_clip)
 {
     flt x = light_clip.x / light_clip.w, y = light_clip.y / light_clip.w;

@@ -1,5 +1,5 @@
-/* Texels on their way into another surface: as they are, or inverted. Constructive solid geometry on
- * flat textures is then a choice of the blend operation.
+/* Texels on their way into another surface: as they are, or inverted. Constructive solid geometry
+ * on flat textures is then a choice of the blend operation.
  * source Dong, Chen, Bao, Zhang and Peng, Pacific Graphics 2004: blending of flat textures */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/common/texel_copy.h"

@@ -2,7 +2,7 @@
 
 #include "shaders_c/fragments/fragment_shared.h"
 
-/* --- colours as numbers ------------------------------------------------------------------------- */
+/* --- colours as numbers ----------------------------------------------------------------------- */
 
 /* 1 to 2^24: 0 is no fragment. The greenest of two is the greater one, whichever is nearer. */
 GP_INLINE flt to_number(float4 color)
@@ -38,7 +38,7 @@ GP_INLINE BucketTargets into_bucket(flt bucket, flt value)
     return targets;
 }
 
-/* --- of equal depth ----------------------------------------------------------------------------- */
+/* --- of equal depth --------------------------------------------------------------------------- */
 
 vertex_shader(bucket_vs, BucketUniforms, FragmentVertex, FragmentVarying)
 {
@@ -61,7 +61,7 @@ pixel_shader_targets(bucket_single_ps, BucketUniforms, FragmentVarying, BucketTa
 
 program(bucket_single_program, bucket_vs, bucket_single_ps, FRAGMENT_DECLARATIONS, MODEL_3_0)
 
-/* --- pairs -------------------------------------------------------------------------------------- */
+/* --- pairs ------------------------------------------------------------------------------------ */
 
 pixel_shader_targets(bucket_range_ps, BucketUniforms, FragmentVarying, BucketTargets)
 {
@@ -99,7 +99,7 @@ pixel_shader_targets(bucket_pair_ps, BucketUniforms, FragmentVarying, BucketTarg
 program(bucket_pair_program, bucket_vs, bucket_pair_ps, FRAGMENT_DECLARATIONS, MODEL_3_0,
         .local_reads = 15)
 
-/* --- where fragments are ------------------------------------------------------------------------ */
+/* --- where fragments are ---------------------------------------------------------------------- */
 
 /* Bit n of a byte, as a unorm code. */
 GP_INLINE flt to_bit(flt n)
@@ -172,7 +172,7 @@ pixel_shader_targets(bucket_ranked_ps, BucketUniforms, FragmentVarying, BucketTa
 program(bucket_ranked_program, bucket_vs, bucket_ranked_ps, FRAGMENT_DECLARATIONS, MODEL_3_0,
         .local_reads = 255)
 
-/* --- put together ------------------------------------------------------------------------------- */
+/* --- put together ----------------------------------------------------------------------------- */
 
 clip_vertex_shader(bucket_layers_vs, BucketLayersUniforms);
 

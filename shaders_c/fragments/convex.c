@@ -40,7 +40,7 @@ fragment_programs(convex_knot, float4, MODEL_2_0)
     return source;
 }
 
-/* --- slabs -------------------------------------------------------------------------------------- */
+/* --- slabs ------------------------------------------------------------------------------------ */
 
 typedef struct SlabLayer {
     float4 source, depth;

@@ -1,4 +1,5 @@
-/* Fragments of a mesh whose triangles have a colour each: what all programs that draw them are told. */
+/* Fragments of a mesh whose triangles have a colour each: what all programs that draw them are
+ * told. */
 #ifndef SHADERS_FRAGMENTS_FRAGMENT_H
 #define SHADERS_FRAGMENTS_FRAGMENT_H
 
@@ -17,14 +18,14 @@ typedef struct FragmentUniforms {
     float place; /* the fragment's, among those of its pixel, 0 to 4095 */
 } FragmentUniforms;
 
-/* The inputs of all: GP_POSITION, 3, GP_COLOR, 4; of glass also GP_NORMAL, 3. The colour and the normal of
- * a triangle are those of its first corner. */
+/* The inputs of all: GP_POSITION, 3, GP_COLOR, 4; of glass also GP_NORMAL, 3. The colour and the
+ * normal of a triangle are those of its first corner. */
 
 /* 1: to be added up. */
 extern const GpProgram fragment_count_program;
 
-/* Over all pixels, GP_POSITION, 3, without uniforms: slot 0, light and what is let through, in place, as colour
- * multiplied by alpha. */
+/* Over all pixels, GP_POSITION, 3, without uniforms: slot 0, light and what is let through, in
+ * place, as colour multiplied by alpha. */
 extern const GpProgram fragment_over_program;
 
 #endif

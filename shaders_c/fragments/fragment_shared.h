@@ -5,15 +5,15 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/fragments/fragment.h"
 
-/* --- plain -------------------------------------------------------------------------------------- */
+/* --- plain ------------------------------------------------------------------------------------ */
 
 typedef struct FragmentVertex {
     float3 position;
     float4 color;
 } FragmentVertex;
 
-/* A pixel shader of 2005 is not told the depth that the rasterizer computes, so it comes as a varying. The
- * same triangle has the same bits in every pass. */
+/* A pixel shader of 2005 is not told the depth that the rasterizer computes, so it comes as a
+ * varying. The same triangle has the same bits in every pass. */
 typedef struct FragmentVarying {
     flt depth;
     float4 color;
@@ -35,7 +35,7 @@ GP_INLINE float4 fragment_source(const FragmentUniforms *c, const FragmentVaryin
     return rgba(mul(xyz(in->color), in->color.w), 1.0f - in->color.w);
 }
 
-/* --- glass -------------------------------------------------------------------------------------- */
+/* --- glass ------------------------------------------------------------------------------------ */
 
 typedef struct GlassVertex {
     float3 position;
@@ -78,7 +78,7 @@ GP_INLINE float4 glass_source(const FragmentUniforms *c, const GlassVarying *in)
     return rgba(sel(faces, light, mul(light, taken)), through * sel(faces, rcp(taken), taken));
 }
 
-/* --- both --------------------------------------------------------------------------------------- */
+/* --- both ------------------------------------------------------------------------------------- */
 
 /* clang-format off */
 #define FRAGMENT_DECLARATIONS                                                                      \
@@ -90,9 +90,10 @@ GP_INLINE float4 glass_source(const FragmentUniforms *c, const GlassVarying *in)
                   { "normal", 3, GP_FLAT }, { "ray", 3, GP_PERSPECTIVE } }
 /* clang-format on */
 
-/* Two programs of one pixel shader, NAME_program and NAME_glass_program: what stands behind `name` is its
- * body, a function of gp, c, the fragment's depth and its source. The rest are declarations. The vertex
- * shaders are the file's, fragment_vs and glass_vs: of passes that share them vertices are shaded once. */
+/* Two programs of one pixel shader, NAME_program and NAME_glass_program: what stands behind `name`
+ * is its body, a function of gp, c, the fragment's depth and its source. The rest are declarations.
+ * The vertex shaders are the file's, fragment_vs and glass_vs: of passes that share them vertices
+ * are shaded once. */
 #define fragment_programs(name, Out, ...)                                                          \
     GP_INLINE Out name##_pixel(GpInvocation *gp, const FragmentUniforms *c, flt depth,             \
                                float4 source);                                                     \

@@ -2,7 +2,7 @@
 
 #include "shaders_c/fragments/fragment_shared.h"
 
-/* --- entries ------------------------------------------------------------------------------------ */
+/* --- entries ---------------------------------------------------------------------------------- */
 
 #define STEPS 4095.0f
 #define SHIFT 4096.0f
@@ -35,10 +35,10 @@ pixel_shader(list_ps, FragmentUniforms, FragmentVarying)
 
 program(list_program, list_vs, list_ps, FRAGMENT_DECLARATIONS, MODEL_3_0)
 
-/* --- in 32 bits --------------------------------------------------------------------------------- */
+/* --- in 32 bits ------------------------------------------------------------------------------- */
 
-/* DEVIATES: fragments of one depth stay in the order of their drawing, where the least of two numbers of 32
- * bits is also that of the smaller colour. */
+/* DEVIATES: fragments of one depth stay in the order of their drawing, where the least of two
+ * numbers of 32 bits is also that of the smaller colour. */
 pixel_shader(list_packed_ps, FragmentUniforms, FragmentVarying)
 {
     float4 color = in->color;
@@ -50,7 +50,7 @@ pixel_shader(list_packed_ps, FragmentUniforms, FragmentVarying)
 
 program(list_packed_program, list_vs, list_packed_ps, FRAGMENT_DECLARATIONS, MODEL_3_0)
 
-/* --- in windows --------------------------------------------------------------------------------- */
+/* --- in windows ------------------------------------------------------------------------------- */
 
 typedef struct WindowVertex {
     float3 position;
@@ -92,7 +92,7 @@ program(list_window_program, list_window_vs, list_window_ps, MODEL_3_0, .local_r
                       { "window", 1, GP_FLAT } })
 /* clang-format on */
 
-/* --- in order ----------------------------------------------------------------------------------- */
+/* --- in order --------------------------------------------------------------------------------- */
 
 typedef struct NearestTargets {
     float4 entry[LIST_KEPT];

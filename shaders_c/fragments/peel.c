@@ -5,7 +5,7 @@
 fragment_vertex_shader(fragment_vs);
 glass_vertex_shader(glass_vs);
 
-/* --- one layer ---------------------------------------------------------------------------------- */
+/* --- one layer -------------------------------------------------------------------------------- */
 
 /* clang-format off */
 fragment_programs(fragment_first, float4, MODEL_2_0, .writes_depth = true)
@@ -23,7 +23,7 @@ fragment_programs(fragment_next, float4, MODEL_2_0, .writes_depth = true, .may_d
     return source;
 }
 
-/* --- two layers --------------------------------------------------------------------------------- */
+/* --- two layers ------------------------------------------------------------------------------- */
 
 typedef struct DualRange {
     float4 near, far;

@@ -4,7 +4,8 @@
 
 #include "shaders_c/fragments/fragment.h"
 
-/* Colour multiplied by what the fragment hides, and what it hides: to be blended over those behind it. */
+/* Colour multiplied by what the fragment hides, and what it hides: to be blended over those behind
+ * it. */
 extern const GpProgram sorted_program;
 
 /* Light, and what the fragment lets through. */

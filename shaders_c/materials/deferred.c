@@ -1,6 +1,6 @@
 /* Point lights on the surfaces of the gbuffer program, read at each pixel's own place: slot 0 holds
- * albedo and coverage, 1 world normals, 2 world positions. Positions are in clip space already: draw
- * a quad over the whole target.
+ * albedo and coverage, 1 world normals, 2 world positions. Positions are in clip space already:
+ * draw a quad over the whole target.
  *
  * A light fades with 1 - d^2 / range^2, which needs no division and ends where its range does. */
 #include "shaders_c/common/vertices_shared.h"

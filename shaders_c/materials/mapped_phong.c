@@ -1,5 +1,6 @@
-/* Colours and normals of two textures with Blinn-Phong lighting per pixel (see phong_shared.h). Texture 0 is the
- * surface's colour, linear light; texture 1 its normals in the world, a component n as (n + 1) / 2. */
+/* Colours and normals of two textures with Blinn-Phong lighting per pixel (see phong_shared.h).
+ * Texture 0 is the surface's colour, linear light; texture 1 its normals in the world, a component
+ * n as (n + 1) / 2. */
 #define GP_SHADER_AT_ONCE 4
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/mapped_phong.h"

@@ -7,7 +7,8 @@
 
 #include <glasspipe/shader.h>
 
-/* What the surface sends to the eye whichever way it looks, textures apart; and how much of the light mirrors
+/* What the surface sends to the eye whichever way it looks, textures apart; and how much of the
+ * light mirrors
  * in it. */
 typedef struct PhongLight {
     float3 color;

@@ -1,10 +1,10 @@
 /* Points as balls: a square sprite whose corners are discarded and whose pixels have a ball's
  * normals. GP_POINT_SIZE is the ball's diameter in world units.
  *
- * The normals are those of a ball seen straight on, along the camera's axes. Those are in the matrix:
- * with a perspective camera without shear, row 0 of world to clip is a multiple of its right, row 1
- * of its up, and row 3 is its forward; |row 1| is the cotangent of half the angle of view, so that
- * |row 1| * height / 2 / w is the number of pixels a world unit takes. */
+ * The normals are those of a ball seen straight on, along the camera's axes. Those are in the
+ * matrix: with a perspective camera without shear, row 0 of world to clip is a multiple of its
+ * right, row 1 of its up, and row 3 is its forward; |row 1| is the cotangent of half the angle of
+ * view, so that |row 1| * height / 2 / w is the number of pixels a world unit takes. */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/sprite.h"
 

@@ -1,5 +1,5 @@
-/* A texture with Blinn-Phong lighting per pixel (see phong_shared.h). Texture 0 is the surface's colour,
- * linear light. */
+/* A texture with Blinn-Phong lighting per pixel (see phong_shared.h). Texture 0 is the surface's
+ * colour, linear light. */
 #define GP_SHADER_AT_ONCE 4
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/phong_shared.h"

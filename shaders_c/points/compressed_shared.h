@@ -16,8 +16,9 @@
  *
  *     stream 0   cell x, cell y, cell z of 256 each along the world's axes; inside of the cell
  *                x of 8 (bits 0 to 2), y of 8 (3 to 5), z of 4 (6, 7)
- *     stream 1   theta of 256, phi of 256; form of the tangent (bits 0, 1), corner of a quad (2, 3),
- *                share of 16 (4 to 7; these bits are free in print); number of the radius in a table
+ *     stream 1   theta of 256, phi of 256; form of the tangent (bits 0, 1), corner of a quad (2,
+ *                3), share of 16 (4 to 7; these bits are free in print); number of the radius in a
+ *                table
  */
 #ifndef SHADERS_POINTS_COMPRESSED_SHARED_H
 #define SHADERS_POINTS_COMPRESSED_SHARED_H
@@ -68,8 +69,8 @@ typedef struct PrintedSurfel {
 } PrintedSurfel;
 
 /* A direction square to the normal, by its form: (0, -nz, ny), (nz, 0, -nx) or (-ny, nx, 0). Each
- * has no length for one normal; the form of 0, 1 or 2 that leaves out the least component of the normal
- * always has one of 0.8 at least. */
+ * has no length for one normal; the form of 0, 1 or 2 that leaves out the least component of the
+ * normal always has one of 0.8 at least. */
 GP_INLINE float3 tangent_of_form(float3 n, flt form)
 {
     float3 first = vec3(0, 0.0f - n.z, n.y), second = vec3(n.z, 0, 0.0f - n.x);

@@ -1,9 +1,9 @@
-/* The splats of splat.h, of compressed surfels: taken apart in the vertex shader, pass by pass; the pixel
- * shaders are the same. One draw a patch.
+/* The splats of splat.h, of compressed surfels: taken apart in the vertex shader, pass by pass; the
+ * pixel shaders are the same. One draw a patch.
  *
- * Inputs: GP_TEXCOORD0 4 the words, of the printed form its first stream, and GP_TEXCOORD1 4 its second
- * (compressed_shared.h); of passes that have colours GP_COLOR 3, anything where there are none. Vertex
- * texture 0: the printed form's radii. */
+ * Inputs: GP_TEXCOORD0 4 the words, of the printed form its first stream, and GP_TEXCOORD1 4 its
+ * second (compressed_shared.h); of passes that have colours GP_COLOR 3, anything where there are
+ * none. Vertex texture 0: the printed form's radii. */
 #ifndef SHADERS_POINTS_COMPRESSED_SPLAT_H
 #define SHADERS_POINTS_COMPRESSED_SPLAT_H
 

@@ -5,7 +5,8 @@
 
 #include "shaders_c/points/splat.h"
 
-/* Points one pixel wide; squares, and discs facing the eye, as wide as their surfels' projections. */
+/* Points one pixel wide; squares, and discs facing the eye, as wide as their surfels'
+ * projections. */
 extern const GpProgram point_pixel_program, point_square_program, point_round_program;
 
 /* The same, lit at each point: light is towards the light, world, unit length. */

@@ -1,7 +1,7 @@
-/* The last pass of splatting: sums of weighted attributes become a picture. To be drawn over the whole
- * target; slot 0 holds colour x weight and weight, slot 1 normal x weight and distance x weight; beside
- * their edges is nothing (GP_BORDER). What stands at the pixel itself is
- * read in place: the same sums, and the depth of what hides, 1 where nothing does.
+/* The last pass of splatting: sums of weighted attributes become a picture. To be drawn over the
+ * whole target; slot 0 holds colour x weight and weight, slot 1 normal x weight and distance x
+ * weight; beside their edges is nothing (GP_BORDER). What stands at the pixel itself is read in
+ * place: the same sums, and the depth of what hides, 1 where nothing does.
  *
  * Alpha is how much of a pixel the surface covers; the picture lies over the background by it.
  */

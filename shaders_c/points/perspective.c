@@ -2,8 +2,8 @@
 
 #include "shaders_c/points/splat_shared.h"
 
-/* Splats whose far side is seen under the horizon have no end: they are cut where they are so many times
- * as large as their affine projection. */
+/* Splats whose far side is seen under the horizon have no end: they are cut where they are so many
+ * times as large as their affine projection. */
 #define LARGEST 4.0f
 
 /* g, of a pixel. */

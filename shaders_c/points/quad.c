@@ -27,8 +27,8 @@ GP_INLINE Tangents plane_tangents(float3 n)
     return made;
 }
 
-/* A Gaussian on the surfel's plane: its axes, of one standard deviation's length, and what is under the
- * root of its determinant. */
+/* A Gaussian on the surfel's plane: its axes, of one standard deviation's length, and what is under
+ * the root of its determinant. */
 typedef struct Axes {
     float3 longer, shorter;
     flt area;

@@ -1,8 +1,8 @@
-/* Nodes of a sequential point tree as opaque squares: of all that are sent, those are drawn that are
- * small enough where they are, and whose parents are not.
+/* Nodes of a sequential point tree as opaque squares: of all that are sent, those are drawn that
+ * are small enough where they are, and whose parents are not.
  * source Dachsbacher, Vogelgsang and Stamminger, "Sequential point trees", SIGGRAPH 2003
- * DEVIATES: by depth instead of distance, as splats are projected; a parent's depth is not known, but it
- *        is at most its radius from its child's
+ * DEVIATES: by depth instead of distance, as splats are projected; a parent's depth is not known,
+ *        but it is at most its radius from its child's
  */
 #ifndef SHADERS_POINTS_SEQUENCE_H
 #define SHADERS_POINTS_SEQUENCE_H

@@ -3,11 +3,12 @@
  * A surfel projects to a Gaussian of variance V = J r^2 J^T + h I, in square pixels: the disc's own
  * (reconstruction), made wider by the pixel's filter (low-pass). Its weight at a pixel is
  *     share r^2 |det J| / sqrt(det V) * exp(-1/2 d^T V^-1 d)
- * so that the weights of a surface that covers a pixel add up to 1, and at its border to the share of
- * the pixel that it covers.
+ * so that the weights of a surface that covers a pixel add up to 1, and at its border to the share
+ * of the pixel that it covers.
  * source Zwicker, Pfister, van Baar and Gross, "Surface splatting", SIGGRAPH 2001, eq. 10 and
  *        "EWA splatting", IEEE TVCG 8(3), 2002; the passes: paper 004.
- * DEVIATES: J r^2 J^T comes without tangents: with P = f/z (I | -(x, y)/z) it is r^2 P (I - n n^T) P^T.
+ * DEVIATES: J r^2 J^T comes without tangents: with P = f/z (I | -(x, y)/z) it is r^2 P (I - n n^T)
+ * P^T.
  */
 #ifndef SHADERS_POINTS_SPLAT_H
 #define SHADERS_POINTS_SPLAT_H
@@ -36,8 +37,8 @@ typedef struct SplatUniforms {
     float waves;
 } SplatUniforms;
 
-/* Where the share of a surfel is below 1 over this, its area says how wide its Gaussian is: discs that
- * just close a lattice of squares have a share of 0.56, of triangles 0.64. */
+/* Where the share of a surfel is below 1 over this, its area says how wide its Gaussian is: discs
+ * that just close a lattice of squares have a share of 0.56, of triangles 0.64. */
 #define SPLAT_PER_SHARE 1.9f
 
 /* Points of a depth-only pass: discs of the surfels' own radii, behind the surface by epsilon. Not
@@ -47,7 +48,8 @@ extern const GpProgram splat_visibility_program;
 /* Points that are added up: target 0 gets colour x weight and the weight. */
 extern const GpProgram splat_color_program;
 
-/* The same, and in target 1 normal (world) x weight and distance x weight, for shading and depth. */
+/* The same, and in target 1 normal (world) x weight and distance x weight, for shading and
+ * depth. */
 extern const GpProgram splat_surface_program;
 
 #endif

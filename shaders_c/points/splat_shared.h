@@ -95,16 +95,17 @@ GP_INLINE Splat surfel_splat(const EyeSurfel *eye, flt square, float low_pass)
     return splat;
 }
 
-/* From 0 to 1: how much of a disc lies where its points are uneven, and larger than a few pixels. Areas
- * then do not tell how much of a pixel is covered, but the discs, which close such a surface. */
+/* From 0 to 1: how much of a disc lies where its points are uneven, and larger than a few pixels.
+ * Areas then do not tell how much of a pixel is covered, but the discs, which close such a
+ * surface. */
 GP_INLINE flt surfel_sparse(const EyeSurfel *eye, flt share)
 {
     return sat((0.5f - share) * 5) * sat((eye->radius - 2.0f) * 0.25f);
 }
 
-/* The standard deviation of a surfel's Gaussian, in its radii. Where points are dense for their radius,
- * their own area says how wide a Gaussian they need: not wider than one of `spread` in a surfel that has
- * as much area as its disc shows. */
+/* The standard deviation of a surfel's Gaussian, in its radii. Where points are dense for their
+ * radius, their own area says how wide a Gaussian they need: not wider than one of `spread` in a
+ * surfel that has as much area as its disc shows. */
 GP_INLINE flt surfel_deviation(const SplatUniforms *c, const EyeSurfel *eye, flt share)
 {
     return max(min(share * SPLAT_PER_SHARE, 1), surfel_sparse(eye, share) * 0.65f) * c->spread;
@@ -155,8 +156,8 @@ GP_INLINE float3 surfel_color(const SplatUniforms *c, const SurfelVertex *in)
 
 /* --- visibility ------------------------------------------------------------------------------- */
 
-/* Depths lie behind the surface, so that all splats of one surface pass, and no other does: as far as a
- * plane through the surfel goes back over its radius, and over the pixel's filter. */
+/* Depths lie behind the surface, so that all splats of one surface pass, and no other does: as far
+ * as a plane through the surfel goes back over its radius, and over the pixel's filter. */
 GP_INLINE flt behind_surface(const SplatUniforms *c, const EyeSurfel *eye, flt radius)
 {
     flt steep = rcp(max(abs_(eye->facing), 0.1f)); /* what is steeper is seen edge on */

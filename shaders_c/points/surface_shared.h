@@ -17,7 +17,8 @@ GP_INLINE flt covered_part(const NormalizeUniforms *c, flt weight)
     return sel(weight > NOTHING, alpha, 0);
 }
 
-/* What was added up at a pixel: colour and weight, and of programs that shade normal and distance. */
+/* What was added up at a pixel: colour and weight, and of programs that shade normal and
+ * distance. */
 typedef struct Sums {
     float4 color, surface;
 } Sums;
@@ -48,9 +49,9 @@ GP_INLINE void look_across(GpInvocation *gp, const NormalizeUniforms *c, float r
 }
 
 /* Where a surface ends before another one, its own weight fades out, and what is behind it has been
- * hidden: sums of one surface alone, though two cover the pixel. Such pixels have covered ones on both
- * sides, within two pixels, and those where the whole model ends have not. What hides, and has no sums
- * at all, takes those of both sides.
+ * hidden: sums of one surface alone, though two cover the pixel. Such pixels have covered ones on
+ * both sides, within two pixels, and those where the whole model ends have not. What hides, and has
+ * no sums at all, takes those of both sides.
  * in   surface: slot of the sums of normals and distances, 0: they are not asked for
  * returns alpha */
 GP_INLINE flt close_gaps(GpInvocation *gp, const NormalizeUniforms *c, int surface, Sums *sums)

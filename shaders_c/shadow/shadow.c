@@ -17,10 +17,11 @@ vertex_shader(lit_textured_vs, ShadowUniforms, TexturedVertex, TexturedVarying)
     out->uv = in->texcoord;
 }
 
-/* --- the map ------------------------------------------------------------------------------------ */
+/* --- the map ---------------------------------------------------------------------------------- */
 
-/* A cube map, its faces side by side: +x +y +z from the left, below them -x -y -z. Each sees a quarter
- * turn; coordinates stay half a texel inside, since the neighbour on the map is none in the world. */
+/* A cube map, its faces side by side: +x +y +z from the left, below them -x -y -z. Each sees a
+ * quarter turn; coordinates stay half a texel inside, since the neighbour on the map is none in the
+ * world. */
 GP_INLINE flt cube(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
 {
     float3 way = sub(in->surface.world, u3(c->light)), far = abs_(way);
@@ -99,7 +100,7 @@ GP_INLINE flt soft(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
     return seen * (1.0f / (float)(FILTER_TAPS * FILTER_TAPS));
 }
 
-/* --- programs ----------------------------------------------------------------------------------- */
+/* --- programs --------------------------------------------------------------------------------- */
 
 #define PAIR(form, facing, model, derivatives)                                                     \
     SHADOW_PAIR(form, facing, ShadowUniforms, c, 1 << 1, model, derivatives)

@@ -1,5 +1,5 @@
-/* The depth map of a light in a colour target (thesis, section 4.2.1, step 2): z and w go through as
- * texture coordinates and are divided at each pixel. */
+/* The depth map of a light in a colour target (thesis, section 4.2.1, step 2): z and w go through
+ * as texture coordinates and are divided at each pixel. */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/shadow/shadow_map.h"
 

@@ -1,8 +1,9 @@
-/* What every program that lights a surface under a shadow map has in common: its vertices, the place
- * on the map, and the light that arrives. For shader files only.
+/* What every program that lights a surface under a shadow map has in common: its vertices, the
+ * place on the map, and the light that arrives. For shader files only.
  *
- * (ambient + diffuse S) texture + specular S, where S is the share of the light that arrives (thesis,
- * sections 4.2 and 4.3; Williams, "Casting curved shadows on curved surfaces", SIGGRAPH 1978). */
+ * (ambient + diffuse S) texture + specular S, where S is the share of the light that arrives
+ * (thesis, sections 4.2 and 4.3; Williams, "Casting curved shadows on curved surfaces", SIGGRAPH
+ * 1978). */
 #ifndef SHADERS_SHADOW_SHARED_H
 #define SHADERS_SHADOW_SHARED_H
 
@@ -24,8 +25,8 @@ GP_INLINE float3 towards_light(const ShadowUniforms *c, float3 world)
     return nrm(sub(u3(c->light), mul(world, bcast(c->light[3]))));
 }
 
-/* A surface that the light grazes is looked up further out along its normal, by so much that a texel
- * does not reach below it.
+/* A surface that the light grazes is looked up further out along its normal, by so much that a
+ * texel does not reach below it.
  * source Holbert, "Saying goodbye to shadow acne", GDC 2011: normal offset shadows */
 GP_INLINE float4 find_place(const ShadowUniforms *c, float3 world, float3 normal)
 {
@@ -60,7 +61,7 @@ GP_INLINE flt flat(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
     return dp3(plane, towards_light(c, in->surface.world)) * dp3(plane, to_eye);
 }
 
-/* --- ways to ask the map, in slot 1 ------------------------------------------------------------- */
+/* --- ways to ask the map, in slot 1 ----------------------------------------------------------- */
 
 /* From clip space, at the pixel. */
 GP_INLINE float3 plain_place(const ShadowUniforms *c, float4 clip)
@@ -106,7 +107,7 @@ GP_INLINE flt hardware(GpInvocation *gp, const ShadowUniforms *c, const Varying 
     return texldp(1, in->place).x;
 }
 
-/* --- light -------------------------------------------------------------------------------------- */
+/* --- light ------------------------------------------------------------------------------------ */
 
 /* What the maps say of a surface. */
 typedef struct Asked {
@@ -141,11 +142,11 @@ GP_INLINE float4 light_surface(const ShadowUniforms *c, const Varying *in, const
 /* clang-format off */
 #define LIT_VARYINGS SURFACE_VARYINGS, { "place", 4, GP_PERSPECTIVE }
 
-/* The pixel shaders and programs of a way to ask the map and one to face the light, without and with a
- * texture: form(gp, c, varying) is what the map says, facing(gp, shadow, varying) the other. The file has
- * the vertex shaders lit_vs and lit_textured_vs.
- * in   U: uniforms; shadow: what of them, c, is ShadowUniforms; maps: bits of samplers; model: of the
- *      profiles, 2_0, 3_0 or 3_SW */
+/* The pixel shaders and programs of a way to ask the map and one to face the light, without and
+ * with a texture: form(gp, c, varying) is what the map says, facing(gp, shadow, varying) the other.
+ * The file has the vertex shaders lit_vs and lit_textured_vs.
+ * in   U: uniforms; shadow: what of them, c, is ShadowUniforms; maps: bits of samplers; model: of
+ *      the profiles, 2_0, 3_0 or 3_SW */
 #define SHADOW_PAIR(form, facing, U, shadow, maps, model, derivatives)                             \
     pixel_shader_begin(form##_##facing##_ps, U, Varying, Asked)                                    \
     {                                                                                              \

@@ -1,8 +1,8 @@
 /* Splats that receive shadows: the surface that their sums make, lit under one map.
  *
  * Slots 0 and 3 hold the sums, slot 2 what hides, as splat_over has 0, 1 and 2; slot 1 is the map.
- * Drawn twice: over the picture, with how much of a pixel the surface covers as alpha; and, solid, where
- * that is half at least, with depth and the visibility of the light as alpha.
+ * Drawn twice: over the picture, with how much of a pixel the surface covers as alpha; and, solid,
+ * where that is half at least, with depth and the visibility of the light as alpha.
  */
 #ifndef SHADERS_SHADOW_SPLATS_H
 #define SHADERS_SHADOW_SPLATS_H

@@ -24,7 +24,7 @@ GP_INLINE float2 tile_place(const ShadowTilesUniforms *c, float4 place)
     return vec2((place.x / place.w - corner) * tiles, (place.y / place.w - corner) * tiles);
 }
 
-/* --- the request -------------------------------------------------------------------------------- */
+/* --- the request ------------------------------------------------------------------------------ */
 
 /* An edge runs where the four texels around the place disagree. A surface that faces away is dark
  * without a map. */
@@ -63,7 +63,7 @@ pixel_shader(mark_ps, ShadowMarkUniforms, MarkVarying)
     return sp4(bcast(1));
 }
 
-/* --- the light ---------------------------------------------------------------------------------- */
+/* --- the light -------------------------------------------------------------------------------- */
 
 /* The table is read in the centre of its texels, since a place beside their edge is rounded to the
  * next one. Filters stay inside a tile: its neighbour in the atlas is none in the world. */
@@ -80,7 +80,7 @@ GP_INLINE flt tiles(GpInvocation *gp, const ShadowTilesUniforms *c, const Varyin
     return sel(entry.w > 0.5f, fine, texldp(1, in->place).x);
 }
 
-/* --- programs ----------------------------------------------------------------------------------- */
+/* --- programs --------------------------------------------------------------------------------- */
 
 #define MAPS (1 << 1 | 1 << 2 | 1 << 3)
 

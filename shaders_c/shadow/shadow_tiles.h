@@ -4,9 +4,9 @@
  * mark       a point for each pixel of that picture, on the tile's texel of a small surface
  * light      as shadow_hardware, from the finer tile where there is one
  *
- * Texture 0 is the surface's colour, texture 1 the light's map; light has in 2 the table of tiles (red
- * and green: column and row in the atlas, in steps of 1/255; alpha 1: there is one) and in 3 the
- * atlas. mark reads the request's picture, by its vertices, as texture 0.
+ * Texture 0 is the surface's colour, texture 1 the light's map; light has in 2 the table of tiles
+ * (red and green: column and row in the atlas, in steps of 1/255; alpha 1: there is one) and in 3
+ * the atlas. mark reads the request's picture, by its vertices, as texture 0.
  */
 #ifndef SHADERS_SHADOW_TILES_H
 #define SHADERS_SHADOW_TILES_H

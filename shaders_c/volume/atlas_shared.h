@@ -14,7 +14,8 @@ GP_INLINE float4 volume_place(const VolumePatches *patches, flt x, flt y, flt nu
                 row * patches->patch[1] + (y + 0.5f) * patches->texel[1], 0, 0);
 }
 
-/* The value at a place, in samples, linear between eight: 0 to 1. The volume's box is [0, N - 1]. */
+/* The value at a place, in samples, linear between eight: 0 to 1. The volume's box is [0, N -
+ * 1]. */
 GP_INLINE flt volume_value(GpInvocation *gp, int slot, const VolumePatches *patches, float3 at)
 {
     const float thick = (float)VOLUME_SLAB;

@@ -60,10 +60,10 @@ GP_INLINE flt steps_until(GpInvocation *gp, const RaycastUniforms *c, const Ray 
     return max(floor_(lesser3(mul(sub(wall, ray->start), ray->per_step)) + 0.5f), k + 1.0f);
 }
 
-/* --- what is met ------------------------------------------------------------------------------- */
+/* --- what is met ------------------------------------------------------------------------------ */
 
-/* How fast values rise, from a sample behind a place to one ahead along each axis in turn, inside the
- * volume. */
+/* How fast values rise, from a sample behind a place to one ahead along each axis in turn, inside
+ * the volume. */
 GP_INLINE float3 slope_at(GpInvocation *gp, const RaycastUniforms *c, float3 at)
 {
     float3 axis = vec3(1, 0, 0), slope = sp3(bcast(0));

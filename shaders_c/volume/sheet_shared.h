@@ -4,7 +4,8 @@
 
 #include <glasspipe/shader.h>
 
-/* (1 - exp(-e)) / e. Of little matter the difference has lost its digits, and its series has them. */
+/* (1 - exp(-e)) / e. Of little matter the difference has lost its digits, and its series has
+ * them. */
 GP_INLINE flt share_seen(flt e)
 {
     const float log2_e = 1.44269504088896340736f;

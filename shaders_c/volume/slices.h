@@ -1,10 +1,12 @@
-/* Volumes as planes along one of their axes: each is a picture between two slices of samples, and stands
- * for the slab about it.
+/* Volumes as planes along one of their axes: each is a picture between two slices of samples, and
+ * stands for the slab about it.
  *
- * Values are mixed from the two slices and only then classified, by a table that is read with them. What
- * a pixel's ray finds in the slab follows from its way through it, which is longer the more askew it is.
+ * Values are mixed from the two slices and only then classified, by a table that is read with them.
+ * What a pixel's ray finds in the slab follows from its way through it, which is longer the more
+ * askew it is.
  * source Rezk-Salama, Engel, Bauer, Greiner and Ertl, "Interactive volume rendering on standard PC
- *        graphics hardware using multi-textures and multi-stage rasterization", Graphics Hardware 2000 */
+ *        graphics hardware using multi-textures and multi-stage rasterization", Graphics Hardware
+ *        2000 */
 #ifndef SHADERS_VOLUME_SLICES_H
 #define SHADERS_VOLUME_SLICES_H
 
@@ -25,9 +27,9 @@ typedef struct VolumeSliceUniforms {
     float ambient, diffuse;
 } VolumeSliceUniforms;
 
-/* GP_POSITION is (u, v). Slots 0 and 1 are the slices before and behind the plane, linear; slot 2 is the
- * table, by points: colour, and log2 of the light that a unit of space leaves. Gives colour times alpha,
- * and alpha. */
+/* GP_POSITION is (u, v). Slots 0 and 1 are the slices before and behind the plane, linear; slot 2
+ * is the table, by points: colour, and log2 of the light that a unit of space leaves. Gives colour
+ * times alpha, and alpha. */
 extern const GpProgram volume_slice_program;
 
 /* The same lit by slopes, from both sides. */

@@ -72,8 +72,8 @@ pixel_shader(sheets_after_ps, AfterUniforms, NoVarying)
     flt length = sqrt_(mad(slope.x, slope.x, mad(slope.y, slope.y, 1))) *
                  rcp(max(abs_(along), 0.05f)) * c->between;
 
-    /* where a slice ends, or was left out, less than half of the weights are there: those of a slice
-     * of ones are the way through it */
+    /* where a slice ends, or was left out, less than half of the weights are there: those of a
+     * slice of ones are the way through it */
     flt least = min(front.w, back.w);
     float2 density = vec2(front.x * rcp(max(front.w, 1e-4f)), back.x * rcp(max(back.w, 1e-4f)));
     float4 seen = texldl(2, vec4(density.x + 0.5f / 256, density.y + 0.5f / 256, 0, 0));

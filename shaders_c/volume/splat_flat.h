@@ -1,8 +1,8 @@
-/* Voxels as splats, of which those that hardly let light through lie flat in the surface of equal values
- * that they are part of; the others are round.
+/* Voxels as splats, of which those that hardly let light through lie flat in the surface of equal
+ * values that they are part of; the others are round.
  *
- * A kernel of variance S is flattened along the normal n to S - f (S n)(S n)^T / (n^T S n): its extent along n
- * becomes sqrt(1 - f) of what it was, and nothing else changes.
+ * A kernel of variance S is flattened along the normal n to S - f (S n)(S n)^T / (n^T S n): its
+ * extent along n becomes sqrt(1 - f) of what it was, and nothing else changes.
  * source paper 003, 4.1.4; Zwicker et al., "EWA volume splatting", Visualization 2001, section 5
  */
 #ifndef SHADERS_VOLUME_SPLAT_FLAT_H

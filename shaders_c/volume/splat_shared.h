@@ -131,8 +131,8 @@ GP_INLINE VoxelSplat voxel_splat(const VoxelUniforms *c, const EyeVoxel *eye, Vo
     return voxel_splat_spread(c, eye, voxel_spread(c), which);
 }
 
-/* Rounding of places on the screen, to 1/256 of a pixel, hides no pixel of a footprint: sprites and quads
- * have the same ones. */
+/* Rounding of places on the screen, to 1/256 of a pixel, hides no pixel of a footprint: sprites and
+ * quads have the same ones. */
 #define VOXEL_ROOM 0.03125f
 
 /* The weight of a footprint at a pixel, as a share of its height. */
@@ -157,8 +157,8 @@ GP_INLINE float3 voxel_normal(const VoxelUniforms *c, float3 gradient)
     return mul(n, sel(square < 0.5f, bcast(0), rsq(max(square, 0.5f))));
 }
 
-/* A light beside the eye, from both sides: gradients of densities have no outside. Without a gradient
- * all is lit. */
+/* A light beside the eye, from both sides: gradients of densities have no outside. Without a
+ * gradient all is lit. */
 GP_INLINE flt voxel_light(const VoxelUniforms *c, float3 gradient)
 {
     if (c->diffuse <= 0)

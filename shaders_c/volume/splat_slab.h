@@ -1,10 +1,10 @@
 /* Voxels as splats that are cut into slabs of equal depth: what of a kernel lies in the slab.
  *
- * Of a Gaussian that is cut at `cut` deviations, between depths z0 and z1, lies F(z1) - F(z0), where F is
- * its integral; of slabs that follow each other the shares add up to 1.
+ * Of a Gaussian that is cut at `cut` deviations, between depths z0 and z1, lies F(z1) - F(z0),
+ * where F is its integral; of slabs that follow each other the shares add up to 1.
  * source Mueller and Crawfis, "Eliminating popping artifacts in sheet buffer-based splatting",
- *        Visualization 1998; the integral as a logistic function: Bowling et al., "A logistic approximation
- *        to the cumulative normal distribution", 2009, within 1.4e-4
+ *        Visualization 1998; the integral as a logistic function: Bowling et al., "A logistic
+ *        approximation to the cumulative normal distribution", 2009, within 1.4e-4
  */
 #ifndef SHADERS_VOLUME_SPLAT_SLAB_H
 #define SHADERS_VOLUME_SPLAT_SLAB_H

@@ -1,7 +1,7 @@
-/* Voxels as splats whose values are in a texture, which the vertex or the pixel shader reads (paper 003's
- * modes VT and PT). Places are those of a slice; slices lie side by side in a flat texture.
- * DEVIATES: the paper's proxies are indices into a template that all slices share, 4 bytes a voxel; the
- * places themselves take no more.
+/* Voxels as splats whose values are in a texture, which the vertex or the pixel shader reads (paper
+ * 003's modes VT and PT). Places are those of a slice; slices lie side by side in a flat texture.
+ * DEVIATES: the paper's proxies are indices into a template that all slices share, 4 bytes a voxel;
+ * the places themselves take no more.
  */
 #ifndef SHADERS_VOLUME_SPLAT_TEXTURE_H
 #define SHADERS_VOLUME_SPLAT_TEXTURE_H
@@ -16,8 +16,9 @@ typedef struct VoxelTextureUniforms {
     float texel[2];                      /* 1 / width, 1 / height of the texture */
 } VoxelTextureUniforms;
 
-/* TEXCOORD0: across modulo 256, down modulo 256, across / 256, down / 256. Texture 0 as voxel_ewa_program
- * has it; texture 1, A8R8G8B8: gradient in red, green and blue, value in alpha. */
+/* TEXCOORD0: across modulo 256, down modulo 256, across / 256, down / 256. Texture 0 as
+ * voxel_ewa_program has it; texture 1, A8R8G8B8: gradient in red, green and blue, value in
+ * alpha. */
 extern const GpProgram voxel_vt_ewa_program, voxel_vt_reconstruction_program,
     voxel_vt_low_pass_program;
 extern const GpProgram voxel_pt_ewa_program, voxel_pt_reconstruction_program,

@@ -1,6 +1,6 @@
-/* Surfaces as depth images have them. The eye is taken away before anything is rounded, so that models
- * far from the origin lose nothing; depth is carried along as a distance along the view, which the
- * interpolation keeps within 19 roundings of itself (CONVENTIONS.md, "Varyings").
+/* Surfaces as depth images have them. The eye is taken away before anything is rounded, so that
+ * models far from the origin lose nothing; depth is carried along as a distance along the view,
+ * which the interpolation keeps within 19 roundings of itself (CONVENTIONS.md, "Varyings").
  * source of the second layer: Everitt, "Interactive order-independent transparency", NVIDIA 2001 */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/warp/capture.h"
@@ -54,8 +54,8 @@ GP_INLINE float3 waves(const CaptureUniforms *c, float3 world)
                 mad(sin_(world.z * c->waves), 0.5f, 0.5f));
 }
 
-/* Both passes interpolate one triangle to the same bits, so the front itself is never behind. What is
- * not farther than this is a copy of it, or another side of something without thickness. */
+/* Both passes interpolate one triangle to the same bits, so the front itself is never behind. What
+ * is not farther than this is a copy of it, or another side of something without thickness. */
 #define BEYOND (1 + 0x1p-18f)
 
 pixel_shader_targets(capture_ps, CaptureUniforms, Varying, Targets)

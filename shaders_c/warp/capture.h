@@ -1,5 +1,6 @@
 /* What planar depth images are made of: surfaces with their colour, normal and depth, in two float
- * targets: 0 colour, and in alpha the depth along the image's forward; 1 normal, world, unit length. */
+ * targets: 0 colour, and in alpha the depth along the image's forward; 1 normal, world, unit
+ * length. */
 #ifndef SHADERS_WARP_CAPTURE_H
 #define SHADERS_WARP_CAPTURE_H
 

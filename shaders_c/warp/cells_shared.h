@@ -40,8 +40,8 @@ typedef struct CellBracket {
     flt low, high, before, after;
 } CellBracket;
 
-/* Halves it so many times where a mask is true, keeping the surface between, then takes the place on a
- * line. */
+/* Halves it so many times where a mask is true, keeping the surface between, then takes the place
+ * on a line. */
 GP_INLINE flt cell_meet(GpInvocation *gp, const CellUniforms *c, const CellPath *path,
                         CellBracket b, float halvings, msk wanted)
 {

@@ -108,7 +108,7 @@ pixel_shader_targets(cylinder_lit_ps, CylinderUniforms, LitWarpedVarying, Warped
     out->nearness = sp4(in->warped.nearness);
 }
 
-/* --- straight ---------------------------------------------------------------------------------- */
+/* --- straight --------------------------------------------------------------------------------- */
 
 GP_INLINE float4 straight_vertex(const CylinderUniforms *c, const CylinderVertex *in, flt depth,
                                  StraightVarying *out)
@@ -140,7 +140,7 @@ pixel_shader(cylinder_straight_lit_ps, CylinderUniforms, StraightVarying)
     return rgba(lit_at(gp, c, in->uv, in->world), 1);
 }
 
-/* --- the plane as a picture -------------------------------------------------------------------- */
+/* --- the plane as a picture ------------------------------------------------------------------- */
 
 typedef struct PlaneVertex {
     float3 position;
@@ -160,8 +160,8 @@ vertex_shader(cylinder_plane_vs, CylinderPlaneUniforms, PlaneVertex, PlaneVaryin
     out->depth = vec2(clip.z, clip.w);
 }
 
-/* A point X beyond the plane's point P is C + (P - C) / nearness, from the eye C; so is its clip space.
- * Filters mix colours with emptiness, which they are freed of by alpha. */
+/* A point X beyond the plane's point P is C + (P - C) / nearness, from the eye C; so is its clip
+ * space. Filters mix colours with emptiness, which they are freed of by alpha. */
 pixel_shader(cylinder_plane_ps, CylinderPlaneUniforms, PlaneVarying)
 {
     float4 color = texld(0, in->uv);

@@ -4,8 +4,8 @@
 #include "shaders_c/warp/detail_shared.h"
 #include "shaders_c/warp/light_shared.h"
 
-/* Places on the picture are no linear function of places in the world where rays meet in an eye; times the
- * depth they are. */
+/* Places on the picture are no linear function of places in the world where rays meet in an eye;
+ * times the depth they are. */
 typedef struct DirectVarying {
     float3 texel; /* s u, s v, s */
 } DirectVarying;

@@ -1,8 +1,9 @@
-/* Displacement by a distance field: each pixel walks along its ray as far as nothing is near, until it is
- * near the depth image's surface, where it looks for it among the image's own cells.
- * source Donnelly, "Per-pixel displacement mapping with distance functions", GPU Gems 2, chapter 8, 2005.
- *        DEVIATES: the field lies flat in a texture; it leads to the surface, which is then met as by
- *        relief mapping, so that planes come out exactly whatever the field's size */
+/* Displacement by a distance field: each pixel walks along its ray as far as nothing is near, until
+ * it is near the depth image's surface, where it looks for it among the image's own cells.
+ * source Donnelly, "Per-pixel displacement mapping with distance functions", GPU Gems 2, chapter 8,
+ *      2005.
+ *        DEVIATES: the field lies flat in a texture; it leads to the surface, which is then met as
+ *        by relief mapping, so that planes come out exactly whatever the field's size */
 #ifndef SHADERS_WARP_DISPLACEMENT_H
 #define SHADERS_WARP_DISPLACEMENT_H
 

@@ -1,4 +1,5 @@
-/* An even ground, y = 0, that things stand on: a texture under a light from without end, and its shadows. */
+/* An even ground, y = 0, that things stand on: a texture under a light from without end, and its
+ * shadows. */
 #ifndef SHADERS_WARP_GROUND_H
 #define SHADERS_WARP_GROUND_H
 
@@ -11,8 +12,8 @@ typedef struct GroundUniforms {
     float ambient[3], direct[3]; /* light that is everywhere, and that the map lets through */
 } GroundUniforms;
 
-/* GP_POSITION: x and z in the world. Slot 0: colours; slot 1, of the shadowed program: the map, a depth
- * surface that compares. */
+/* GP_POSITION: x and z in the world. Slot 0: colours; slot 1, of the shadowed program: the map, a
+ * depth surface that compares. */
 extern const GpProgram ground_program, ground_shadowed_program;
 
 #endif

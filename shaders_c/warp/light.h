@@ -4,7 +4,8 @@
 
 #include "pipeline/shader/program.h"
 
-/* Places have a fourth component of 1; directions, of parallel views and of light from without end, 0. */
+/* Places have a fourth component of 1; directions, of parallel views and of light from without end,
+ * 0. */
 typedef struct WarpLightUniforms {
     float eye[4];    /* world; a direction points towards the eye */
     float source[4]; /* of the light, world; a direction points towards it */

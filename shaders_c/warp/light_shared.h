@@ -1,4 +1,5 @@
-/* Blinn-Phong lighting of colours with normals, both of whose sides are lit. For shader files only. */
+/* Blinn-Phong lighting of colours with normals, both of whose sides are lit. For shader files
+ * only. */
 #ifndef SHADERS_WARP_LIGHT_SHARED_H
 #define SHADERS_WARP_LIGHT_SHARED_H
 

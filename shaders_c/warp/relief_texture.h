@@ -1,7 +1,8 @@
-/* The second step of relief texture mapping: a rectangle with a texture that was warped for the eye.
- * source Oliveira, Bishop, McAllister, "Relief texture mapping", SIGGRAPH 2000. DEVIATES: the texture has
- *        the places of the depth image that its texels show, and not their colours, so that these are
- *        fetched as sharp as they are, lit, and at their own depth */
+/* The second step of relief texture mapping: a rectangle with a texture that was warped for the
+ * eye.
+ * source Oliveira, Bishop, McAllister, "Relief texture mapping", SIGGRAPH 2000. DEVIATES: the
+ *        texture has the places of the depth image that its texels show, and not their colours, so
+ *        that these are fetched as sharp as they are, lit, and at their own depth */
 #ifndef SHADERS_WARP_RELIEF_TEXTURE_H
 #define SHADERS_WARP_RELIEF_TEXTURE_H
 

@@ -1,4 +1,5 @@
-/* Rectangles that stand in the box of a depth image, parallel to its picture. For shader files only. */
+/* Rectangles that stand in the box of a depth image, parallel to its picture. For shader files
+ * only. */
 #ifndef SHADERS_WARP_SLAB_QUAD_SHARED_H
 #define SHADERS_WARP_SLAB_QUAD_SHARED_H
 

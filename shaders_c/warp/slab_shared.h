@@ -1,9 +1,9 @@
 /* Rays through the box of a depth image. For shader files only.
  *
- * A ray of the view is two points of it, in the box's homogeneous coordinates and in the world; between
- * them it is told by a share of the way, 0 to 1. Both are linear on the screen, whatever the camera.
- * Slot 0 is the method's own; slot 1 has the image's colours, slot 2, of lit programs, its normals, a
- * component n as (n + 1) / 2.
+ * A ray of the view is two points of it, in the box's homogeneous coordinates and in the world;
+ * between them it is told by a share of the way, 0 to 1. Both are linear on the screen, whatever
+ * the camera. Slot 0 is the method's own; slot 1 has the image's colours, slot 2, of lit programs,
+ * its normals, a component n as (n + 1) / 2.
  */
 #ifndef SHADERS_WARP_SLAB_SHARED_H
 #define SHADERS_WARP_SLAB_SHARED_H
@@ -116,8 +116,8 @@ GP_INLINE float4 slab_lit(GpInvocation *gp, const SlabUniforms *c, float4 place,
 #define SLAB_INPUTS   { GP_POSITION, 2 }, { GP_TEXCOORD0, 4 }, { GP_TEXCOORD1, 4 }
 #define SLAB_VARYINGS { "start", 4, GP_LINEAR_SCREEN }, { "way", 4, GP_LINEAR_SCREEN }
 
-/* A method's two pixel shaders: search(gp, uniforms, path) finds where a path in the box meets the surface,
- * as its t; below 0: nowhere. */
+/* A method's two pixel shaders: search(gp, uniforms, path) finds where a path in the box meets the
+ * surface, as its t; below 0: nowhere. */
 #define SLAB_PIXEL_SHADERS(name, Uniforms, search)                                                 \
     GP_INLINE float4 name##_meet(GpInvocation *gp, const Uniforms *c, const SlabVarying *in,       \
                                  flt *share)                                                       \

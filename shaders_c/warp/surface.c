@@ -35,7 +35,7 @@ pixel_shader(surface_ps, SurfaceUniforms, UvVarying)
     return rgba(xyz(texld(0, in->uv)), 1);
 }
 
-/* --- lit --------------------------------------------------------------------------------------- */
+/* --- lit -------------------------------------------------------------------------------------- */
 
 vertex_shader(surface_lit_vs, SurfaceUniforms, PlacedVertex, LitVarying)
 {
@@ -51,7 +51,7 @@ pixel_shader(surface_lit_ps, SurfaceUniforms, LitVarying)
     return rgba(warp_lit(&c->light, color, normal, in->world), 1);
 }
 
-/* --- under a shadow map ------------------------------------------------------------------------ */
+/* --- under a shadow map ----------------------------------------------------------------------- */
 
 GP_INLINE float3 map_place(const float map[3][4], float3 world)
 {

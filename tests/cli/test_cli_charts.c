@@ -1,5 +1,5 @@
-/* From a scene to the setting that a chart chooses for it: chart, --error, and bench beside them, on a
- * scene so small that times mean nothing and errors do. */
+/* From a scene to the setting that a chart chooses for it: chart, --error, and bench beside them,
+ * on a scene so small that times mean nothing and errors do. */
 #include "apps/frame/picture.h"
 #include "pipeline/base/base.h"
 #include "tests/support/program.h"
@@ -33,8 +33,8 @@ static const char *text(const json_t *object, const char *key)
     return "";
 }
 
-/* The options of the point that was chosen, whose error is at most that. Which of several is a matter of
- * times, and of test_chart. */
+/* The options of the point that was chosen, whose error is at most that. Which of several is a
+ * matter of times, and of test_chart. */
 static const char *chosen(const json_t *points, double most)
 {
     size_t i;

@@ -161,8 +161,8 @@ static double number_of(const char *key)
     return value;
 }
 
-/* What the authors' program says of these pictures: NVlabs/flip 1.2, python/flip_api.py, its filters by
- * SciPy instead of OpenCV. */
+/* What the authors' program says of these pictures: NVlabs/flip 1.2, python/flip_api.py, its
+ * filters by SciPy instead of OpenCV. */
 static void flip_of_drawn_pictures_is_that_of_the_authors_program(void **state)
 {
     (void)state;

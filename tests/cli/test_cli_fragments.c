@@ -57,7 +57,7 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
     expect_files("one_place.json points.off");
 }
 
-/* --- what is drawn ------------------------------------------------------------------------------ */
+/* --- what is drawn ---------------------------------------------------------------------------- */
 
 static void figures_are_told_as_lines_and_as_json(void **state)
 {

@@ -201,7 +201,8 @@ static void a_hundred_small_scenes_take_a_moment(void **state)
 
 /* --- the page --------------------------------------------------------------------------------- */
 
-/* Runs every block of shell of GOLDEN_PICTURES.md, but the one that installs packages, in one shell. */
+/* Runs every block of shell of GOLDEN_PICTURES.md, but the one that installs packages, in one
+ * shell. */
 static void the_pages_example_runs_as_it_is_printed(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* glasspipe inspect: what it writes and what it refuses. What the page shows is looked at in a browser, by
- * tests/tools/inspect_pages.py. */
+/* glasspipe inspect: what it writes and what it refuses. What the page shows is looked at in a
+ * browser, by tests/tools/inspect_pages.py. */
 #include "tests/support/program.h"
 
 static char page[1 << 24], again[1 << 24];

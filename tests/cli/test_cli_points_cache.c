@@ -1,4 +1,5 @@
-/* What is built of points, kept in a file: the same picture with it, and without what is wrong in it. */
+/* What is built of points, kept in a file: the same picture with it, and without what is wrong in
+ * it. */
 #include "tests/support/program.h"
 
 #include <sys/stat.h>

@@ -21,7 +21,7 @@ static int read_schema(void)
     return 0;
 }
 
-/* --- the man page ------------------------------------------------------------------------------ */
+/* --- the man page ----------------------------------------------------------------------------- */
 
 static const char *string_of(const json_t *object, const char *key)
 {
@@ -219,7 +219,7 @@ static void the_man_page_has_the_names_of_everything_built_in(void **state)
     }
 }
 
-/* --- what is accepted -------------------------------------------------------------------------- */
+/* --- what is accepted ------------------------------------------------------------------------- */
 
 static bool fits(const json_t *type, const json_t *value);
 
@@ -384,7 +384,7 @@ static void what_a_program_does_not_use_is_refused(void **state)
     expect_refused(3, "render use.json", "targets[0].format: a target that is used again has its");
 }
 
-/* --- files of a scene -------------------------------------------------------------------------- */
+/* --- files of a scene ------------------------------------------------------------------------- */
 
 /* The models differ, so that the number of primitives tells which was read. */
 static void files_are_looked_for_beside_the_scene_first(void **state)

@@ -1,4 +1,5 @@
-/* `bench --table' and `chart --scaling' with meshes that are small, or not there; no time is judged. */
+/* `bench --table' and `chart --scaling' with meshes that are small, or not there; no time is
+ * judged. */
 #include "pipeline/base/base.h"
 #include "tests/support/program.h"
 

@@ -109,7 +109,7 @@ static void wrong_transfer_functions_are_input_errors_of_one_line(void **state)
     expect_files("good.json good.raw t.txt");
 }
 
-/* --- what is drawn ------------------------------------------------------------------------------ */
+/* --- what is drawn ---------------------------------------------------------------------------- */
 
 static void volumes_are_drawn(void **state)
 {
@@ -121,8 +121,8 @@ static void volumes_are_drawn(void **state)
     expect_files("good.json good.png good.raw t.txt");
 }
 
-/* Of one sample, of a plane of them, from inside, from so far that all is in a pixel, and with nothing
- * to be seen. */
+/* Of one sample, of a plane of them, from inside, from so far that all is in a pixel, and with
+ * nothing to be seen. */
 static void odd_volumes_and_places_are_drawn(void **state)
 {
     (void)state;

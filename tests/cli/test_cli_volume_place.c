@@ -1,5 +1,5 @@
-/* A volume's file tells where it lies: read here by other means than the program's own, header line by
- * line, and put back. */
+/* A volume's file tells where it lies: read here by other means than the program's own, header line
+ * by line, and put back. */
 #include "pipeline/base/base.h"
 #include "tests/support/program.h"
 
@@ -73,8 +73,8 @@ static bool cell_is_set(const Placed *placed, const double point[3])
     return placed->cells[at[0] + placed->dims[0] * (at[1] + placed->dims[1] * at[2])];
 }
 
-/* A part of 16 x 8 x 4 that lies 450,000 from the origin, where floats are 1/32 apart, holds its own
- * corners in cells that are set, and those cells reach no more than one beyond it. */
+/* A part of 16 x 8 x 4 that lies 450,000 from the origin, where floats are 1/32 apart, holds its
+ * own corners in cells that are set, and those cells reach no more than one beyond it. */
 static void a_part_far_from_the_origin_is_put_back(void **state)
 {
     (void)state;

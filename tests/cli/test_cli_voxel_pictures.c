@@ -2,7 +2,7 @@
 #include "pipeline/base/base.h"
 #include "tests/support/program.h"
 
-/* --- models ------------------------------------------------------------------------------------- */
+/* --- models ----------------------------------------------------------------------------------- */
 
 static void functions_surfaces_and_points_are_models_too(void **state)
 {
@@ -26,7 +26,7 @@ static void functions_surfaces_and_points_are_models_too(void **state)
     expect_files("cube.nrrd implicit.nrrd moebius.nrrd points.nrrd points.ply");
 }
 
-/* --- two of them -------------------------------------------------------------------------------- */
+/* --- two of them ------------------------------------------------------------------------------ */
 
 #define CUBE "glasspipe voxelize -q builtin:cube --xform 4 16 16 16 -n 32 --kind solid "
 
@@ -69,7 +69,7 @@ static void a_solid_warns_of_the_second_model_too(void **state)
     assert_null(strstr(err, "builtin:cube is not"));
 }
 
-/* --- pictures ----------------------------------------------------------------------------------- */
+/* --- pictures --------------------------------------------------------------------------------- */
 
 static void pictures_are_drawn_of_volumes(void **state)
 {

@@ -19,7 +19,7 @@ static void write_meshes(void)
     unlink("scene.json");
 }
 
-/* --- what is refused --------------------------------------------------------------------------- */
+/* --- what is refused -------------------------------------------------------------------------- */
 
 static void wrong_arguments_are_usage_errors(void **state)
 {
@@ -182,7 +182,7 @@ static void ten_million_triangles_are_voxelized(void **state)
     assert_string_equal(out, first);
 }
 
-/* --- what is made ------------------------------------------------------------------------------ */
+/* --- what is made ----------------------------------------------------------------------------- */
 
 static void volumes_are_written_and_hashed(void **state)
 {
@@ -271,7 +271,7 @@ static void json_has_the_volume_its_times_and_the_report(void **state)
     json_decref(object);
 }
 
-/* --- meshes that are not closed ---------------------------------------------------------------- */
+/* --- meshes that are not closed --------------------------------------------------------------- */
 
 static void a_solid_of_an_open_mesh_warns(void **state)
 {
@@ -362,8 +362,8 @@ static void write_chart(const char *file, const char *technique, const Point *po
     write_file(file, text);
 }
 
-/* As the chart has it: the smallest volume that is near enough, by the method that loses no more than that: each halving of
- * the error is a finer volume. */
+/* As the chart has it: the smallest volume that is near enough, by the method that loses no more
+ * than that: each halving of the error is a finer volume. */
 static void an_error_chooses_the_size(void **state)
 {
     (void)state;
@@ -398,8 +398,8 @@ static void an_error_chooses_the_size(void **state)
                    "no setting has at most 7 thousandths");
 }
 
-/* A chart that lies about sizes does not matter: the error is measured. Options of the key are refused,
- * but those that say what is meant. */
+/* A chart that lies about sizes does not matter: the error is measured. Options of the key are
+ * refused, but those that say what is meant. */
 static void an_error_is_kept_whatever_the_chart_says(void **state)
 {
     (void)state;

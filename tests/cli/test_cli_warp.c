@@ -103,7 +103,7 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
         "parallel.json");
 }
 
-/* --- what is drawn ------------------------------------------------------------------------------ */
+/* --- what is drawn ---------------------------------------------------------------------------- */
 
 #define MEASURED                                                                                   \
     "(interior [0-9.]+ dB, )?[0-9]+ missing and [0-9]+ extra of [0-9]+ pixels, depth off by "      \
@@ -273,8 +273,8 @@ static void stored_pictures_are_what_their_commands_draw(void **state)
     }
 }
 
-/* An image that went through a file is the one that was captured, seen from where it was taken it is its own
- * truth, and what does not go with it is refused. */
+/* An image that went through a file is the one that was captured, seen from where it was taken it
+ * is its own truth, and what does not go with it is refused. */
 static void images_of_files_are_those_that_were_captured(void **state)
 {
     (void)state;

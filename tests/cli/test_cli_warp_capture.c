@@ -88,7 +88,7 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
     expect_files(INPUTS " passes.json small.pgm");
 }
 
-/* --- what is written ---------------------------------------------------------------------------- */
+/* --- what is written -------------------------------------------------------------------------- */
 
 static json_t *captured(const char *arguments)
 {

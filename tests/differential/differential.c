@@ -3,11 +3,11 @@
  *
  *   differential A..B     the seeds from A up to and with B (default 0..1999)
  *
- * Odd seeds add variety (random_variety.h), every other pair ternary depth tests (random_ternary.h),
- * every other four passes that sort (random_order.h), every other eight passes that repeat earlier ones
- * (random_repeats.h).
- * $GP_ISA forces a lane width. Threads change from seed to seed. Speaks TAP, and ends with
- * "N passed, M failed"; a seed that fails says how to run it alone.
+ * Odd seeds add variety (random_variety.h), every other pair ternary depth tests
+ * (random_ternary.h), every other four passes that sort (random_order.h), every other eight passes
+ * that repeat earlier ones (random_repeats.h). $GP_ISA forces a lane width. Threads change from
+ * seed to seed. Speaks TAP, and ends with "N passed, M failed"; a seed that fails says how to run
+ * it alone.
  */
 #include <glasspipe/glasspipe.h>
 #include "tests/support/lists/random_order.h"

@@ -1,5 +1,5 @@
-/* What is run while calls fail: every command of the program, every technique by each kind of method and
- * every kind of file, with so little to do that a run takes milliseconds. */
+/* What is run while calls fail: every command of the program, every technique by each kind of
+ * method and every kind of file, with so little to do that a run takes milliseconds. */
 #ifndef TESTS_FAULTS_COMMANDS_H
 #define TESTS_FAULTS_COMMANDS_H
 
@@ -18,7 +18,8 @@ typedef struct Command {
     bool varies;     /* times are in what it prints and writes */
 } Command;
 
-/* Files by their names and content, which are there before anything is run. Ends with a name of NULL. */
+/* Files by their names and content, which are there before anything is run. Ends with a name of
+ * NULL. */
 extern const char *const fault_files[][2];
 
 /* Run once in a folder, to make the files that others read. Ends with a name of NULL. */

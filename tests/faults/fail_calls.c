@@ -1,9 +1,9 @@
-/* A library for LD_PRELOAD that lets one call of a kind fail: the n-th allocation, open, read, write,
- * mapping or new thread of a process, whoever makes it, the program or a library under it.
+/* A library for LD_PRELOAD that lets one call of a kind fail: the n-th allocation, open, read,
+ * write, mapping or new thread of a process, whoever makes it, the program or a library under it.
  *
  *   GP_FAIL=alloc:17     the 17th allocation has no memory; 17+: and all after it
- *   GP_FAIL_COUNTS=FILE  holds a FailCounts, in which the calls of each kind are counted as they are
- *                        made, so that they are known however the process ends
+ *   GP_FAIL_COUNTS=FILE  holds a FailCounts, in which the calls of each kind are counted as they
+ *                        are made, so that they are known however the process ends
  */
 #define _GNU_SOURCE
 #include "tests/faults/fail_calls.h"
@@ -74,7 +74,8 @@ static void send_signal(int number)
     raise(number);
 }
 
-/* Whoever ends a program may do so twice, and the second comes while it clears up after the first. */
+/* Whoever ends a program may do so twice, and the second comes while it clears up after the
+ * first. */
 int unlink(const char *path)
 {
     if (sent)

@@ -2,17 +2,17 @@
  *
  *   faults PROGRAM LIBRARY [--most N] [--kind NAME] [--workers N] [COMMAND...]
  *
- * Each command of commands.c runs once as it is, with its calls counted (fail_calls.h), and then once more for
- * each call, which fails. What must hold each time: no signal; exit code 4 for memory, mappings and
- * threads, 3 or 4 for files, or 0 with the same output as ever, where the failure could be borne, and the
- * signal's own end where one came; one
- * line that begins with "glasspipe: " where it is not 0, which says "memory" where that was missing; each
- * output file as it was before or whole; no other file left; and when nothing fails after it, what came at
- * first.
+ * Each command of commands.c runs once as it is, with its calls counted (fail_calls.h), and then
+ * once more for each call, which fails. What must hold each time: no signal; exit code 4 for
+ * memory, mappings and threads, 3 or 4 for files, or 0 with the same output as ever, where the
+ * failure could be borne, and the signal's own end where one came; one line that begins with
+ * "glasspipe: " where it is not 0, which says "memory" where that was missing; each output file as
+ * it was before or whole; no other file left; and when nothing fails after it, what came at first.
  *
  * --most N  at most N calls of a kind a command, evenly chosen; all otherwise
  * --kind NAME  calls of that kind alone
- * Speaks TAP, a test a command, then counts points by the kind of failure; exit code 1 where there is a fault.
+ * Speaks TAP, a test a command, then counts points by the kind of failure; exit code 1 where there
+ * is a fault.
  */
 #include "tests/faults/run.h"
 
@@ -26,7 +26,8 @@
 
 /* --- what must hold --------------------------------------------------------------------------- */
 
-/* The reason in one line, after those of warnings, of other files that were written, and of a script. */
+/* The reason in one line, after those of warnings, of other files that were written, and of a
+ * script. */
 static bool is_one_line(const char *text)
 {
     static const char *const others[] = { "glasspipe: warning: ", "wrote ", "/" };
@@ -46,8 +47,8 @@ static bool outputs_hold(const Command *command, const Run *good, const Run *run
     return true;
 }
 
-/* What is wrong with a run that says that it worked; NULL: nothing. A cache that cannot be written is
- * warned of. */
+/* What is wrong with a run that says that it worked; NULL: nothing. A cache that cannot be written
+ * is warned of. */
 static const char *fault_of_done(const Command *command, const Run *good, const Run *run)
 {
     const bool warned = strstr(run->says, "warning: o.cache");
@@ -115,8 +116,8 @@ typedef struct Tally {
     unsigned long points[FAIL_KINDS], theirs, faults;
 } Tally;
 
-/* Where OpenImageIO runs, a library below it ends the program for want of a thread or a file handle: these
- * two are not tried. */
+/* Where OpenImageIO runs, a library below it ends the program for want of a thread or a file
+ * handle: these two are not tried. */
 static bool is_tried(const Sweep *sweep, const Command *command, FailKind kind)
 {
     if (sweep->kind && strcmp(sweep->kind, fail_kind_names[kind]) != 0)

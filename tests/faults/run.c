@@ -46,7 +46,8 @@ int run_outputs(const Command *command)
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-/* FNV-1a of a file, or, where its content is not the same twice, of how it ends; 0 where there is none. */
+/* FNV-1a of a file, or, where its content is not the same twice, of how it ends; 0 where there is
+ * none. */
 static uint64_t hash_of(const char *path, bool end_alone)
 {
     FILE *file = fopen(path, "rb");
@@ -179,8 +180,8 @@ static void start(const Runner *runner, const Command *command, const char *fail
     _exit(127);
 }
 
-/* Seconds are counted one by one, so that a machine that stands still, with all that runs on it, is not taken
- * for a command that hangs. */
+/* Seconds are counted one by one, so that a machine that stands still, with all that runs on it, is
+ * not taken for a command that hangs. */
 static int wait_for(const Runner *runner, const Command *command, const char *fail)
 {
     const struct timespec second = { .tv_sec = 1 };

@@ -32,8 +32,8 @@ void run_folder_enter(const char *folder);
 
 void run_folder_remove(const char *folder);
 
-/* Runs a command there. What an earlier run has written is removed first, and other content stands in its
- * outputs' place; where it is one that goes on, what it goes on from is made.
+/* Runs a command there. What an earlier run has written is removed first, and other content stands
+ * in its outputs' place; where it is one that goes on, what it goes on from is made.
  * in     fail: "alloc:17", see fail_calls.c; NULL: nothing fails */
 void run_command(const Runner *runner, const Command *command, const char *fail, Run *run);
 

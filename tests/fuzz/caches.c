@@ -1,5 +1,5 @@
-/* Caches: models and trees of points, convex pieces of meshes. The hash and the sizes in their heads are
- * made right, so that what is forged behind them is met. */
+/* Caches: models and trees of points, convex pieces of meshes. The hash and the sizes in their
+ * heads are made right, so that what is forged behind them is met. */
 #include "apps/base/content.h"
 #include "apps/fragments/pieces/pieces_cache.h"
 #include "apps/points/cache.h"

@@ -1,8 +1,8 @@
 /* Fuzz targets: readers of what users bring, each a function of bytes.
  *
- * `make fuzz` gives them bytes by libFuzzer, under the sanitizers; `make test` gives them their seeds and
- * the cases that were once found (tests/fuzz/found/TARGET). A target that finds something wrong ends the
- * program by fuzz_claim, as a sanitizer does. */
+ * `make fuzz` gives them bytes by libFuzzer, under the sanitizers; `make test` gives them their
+ * seeds and the cases that were once found (tests/fuzz/found/TARGET). A target that finds something
+ * wrong ends the program by fuzz_claim, as a sanitizer does. */
 #ifndef TESTS_FUZZ_FUZZ_H
 #define TESTS_FUZZ_FUZZ_H
 
@@ -52,14 +52,15 @@ void fuzz_seed_text(const FuzzSeeds *to, const char *name, const char *text);
 /* Hands a file on as a seed, and removes it. */
 void fuzz_seed_file(const FuzzSeeds *to, const char *name, const char *path);
 
-/* A device on one thread, kept: that programs are checked once makes lists a hundred times faster. */
+/* A device on one thread, kept: that programs are checked once makes lists a hundred times
+ * faster. */
 GpDevice *fuzz_device(GpExecutor executor);
 
 /* libFuzzer's own way to change bytes, set where it is there. */
 extern size_t (*fuzz_mutate_bytes)(uint8_t *data, size_t size, size_t most);
 
-/* Changes JSON by its values and members: numbers to their limits, names to others that scenes know,
- * parts to other parts. What is no JSON is changed as bytes. */
+/* Changes JSON by its values and members: numbers to their limits, names to others that scenes
+ * know, parts to other parts. What is no JSON is changed as bytes. */
 size_t fuzz_mutate_json(uint8_t *data, size_t size, size_t most, unsigned seed);
 
 #endif

@@ -1,4 +1,5 @@
-/* Lessons of `glasspipe inspect`, and the paths in them, by which they name values of what was recorded. */
+/* Lessons of `glasspipe inspect`, and the paths in them, by which they name values of what was
+ * recorded. */
 #include "apps/inspect/lesson.h"
 #include "apps/inspect/lesson_answer.h"
 #include "tests/fuzz/targets.h"

@@ -1,5 +1,6 @@
-/* What libFuzzer calls: the target that $FUZZ names, for `make fuzz`. With FUZZ_SEEDS=FOLDER it writes all
- * targets' seeds there instead; without either it prints the targets' names and largest inputs. */
+/* What libFuzzer calls: the target that $FUZZ names, for `make fuzz`. With FUZZ_SEEDS=FOLDER it
+ * writes all targets' seeds there instead; without either it prints the targets' names and largest
+ * inputs. */
 #include "tests/fuzz/fuzz.h"
 
 #include <stdio.h>

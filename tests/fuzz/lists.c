@@ -1,5 +1,5 @@
-/* Lists over the public interface: a random list (tests/support/random_list.h) in which any fields hold
- * any values. It is refused, or drawn to the same bits by both executors. */
+/* Lists over the public interface: a random list (tests/support/random_list.h) in which any fields
+ * hold any values. It is refused, or drawn to the same bits by both executors. */
 #include "tests/fuzz/targets.h"
 #include "tests/support/random_list.h"
 
@@ -110,8 +110,8 @@ static void set_field(void *object, const Field *field, uint32_t bits)
         memcpy(at, field->kind == NAME ? &name : &bits, sizeof bits);
 }
 
-/* Eight bytes for a seed, then changes of eight bytes: which field of which draw or pass, and its bits;
- * or which number of a draw's uniforms, or of its vertices. */
+/* Eight bytes for a seed, then changes of eight bytes: which field of which draw or pass, and its
+ * bits; or which number of a draw's uniforms, or of its vertices. */
 enum { CHANGE = 8, MOST_CHANGES = 24 };
 
 static void change(RandomList *random, const uint8_t *bytes)

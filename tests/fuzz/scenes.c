@@ -47,7 +47,8 @@ static uint64_t vertices_of(const Scene *scene)
     return vertices;
 }
 
-/* Small ones are drawn by both executors, one of sixteen: that takes fifty times as long as reading. */
+/* Small ones are drawn by both executors, one of sixteen: that takes fifty times as long as
+ * reading. */
 static bool run_scene(const uint8_t *data, size_t size)
 {
     const SceneOptions options = { .width = 24, .height = 16 };

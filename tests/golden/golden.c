@@ -7,7 +7,8 @@
  * A line is "case attachment WxH format hash". Both executors draw every case; $GP_ISA chooses the
  * shader code, and where the processor has no such code all is skipped; nothing may change with
  * either. Frames come from seeds (tests/support/random_list.h, and random_variety.h,
- * random_ternary.h or random_order.h on top), so that between them they use every state, format, primitive and program.
+ * random_ternary.h or random_order.h on top), so that between them they use every state, format,
+ * primitive and program.
  */
 #include <glasspipe/glasspipe.h>
 #include "tests/support/lists/random_order.h"
@@ -26,8 +27,8 @@ enum {
     MOST_CASES = 16 + 1 + 8 + 1 + 4 + 1 + 4 + 1,
 };
 
-/* Seeds whose attachments are listed one by one, and those after them in one case of a single hash; of
- * lists as they come, or changed. */
+/* Seeds whose attachments are listed one by one, and those after them in one case of a single hash;
+ * of lists as they come, or changed. */
 typedef struct Kind {
     const char *name;
     uint64_t single, summed;

@@ -1,5 +1,5 @@
-/* The conversions of pipeline/base/lanes as functions of arrays, so that a check can call every lane
- * width's. */
+/* The conversions of pipeline/base/lanes as functions of arrays, so that a check can call every
+ * lane width's. */
 #ifndef TESTS_KERNEL_CHANNELS_H
 #define TESTS_KERNEL_CHANNELS_H
 

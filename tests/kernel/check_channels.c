@@ -1,5 +1,6 @@
-/* Channels of texels in lanes, at every lane width, against pipeline/resources/format.h: every one of the 2^32
- * floats to a code of eight bits and back, and through a half, every code back to a float.
+/* Channels of texels in lanes, at every lane width, against pipeline/resources/format.h: every one
+ * of the 2^32 floats to a code of eight bits and back, and through a half, every code back to a
+ * float.
  *
  * One line a width with the first difference, if any, then the count of passed and failed widths.
  * An argument N looks at every Nth float only. Exit status 1 on a failure.

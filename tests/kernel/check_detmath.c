@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/* --- all arguments, shared among threads ------------------------------------------------- */
+/* --- all arguments, shared among threads ------------------------------------------------------ */
 
 typedef struct Share {
     const DetmathFunction *function;

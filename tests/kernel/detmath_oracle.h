@@ -1,5 +1,5 @@
-/* What the one-argument functions of pipeline/base/detmath.h are measured against: the exhaustive check
- * and the strided unit test walk the same table.
+/* What the one-argument functions of pipeline/base/detmath.h are measured against: the exhaustive
+ * check and the strided unit test walk the same table.
  *
  * The oracle is the C library in double: its own error, under one ulp of a double, is 2^-29 of what
  * is measured here.
@@ -12,7 +12,7 @@
 
 #include <math.h>
 
-/* --- the functions and their oracles ----------------------------------------------------- */
+/* --- the functions and their oracles ---------------------------------------------------------- */
 
 typedef struct DetmathFunction {
     const char *name;
@@ -79,7 +79,7 @@ static const DetmathFunction detmath_functions[] = {
 };
 /* clang-format on */
 
-/* --- one argument ------------------------------------------------------------------------ */
+/* --- one argument ----------------------------------------------------------------------------- */
 
 /* The distance of neighbouring floats at value. */
 static double ulp_at(double value)

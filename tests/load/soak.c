@@ -1,7 +1,8 @@
 /* Random lists for so many seconds, on one device of each executor: `make soak SOAK_S=600`.
  *
- * The same seeds come round again and again. Each has the bits of its first time, and once all have been
- * there, the program's memory grows no more. Says how many lists it ran, and its memory at both times. */
+ * The same seeds come round again and again. Each has the bits of its first time, and once all have
+ * been there, the program's memory grows no more. Says how many lists it ran, and its memory at
+ * both times. */
 #include <glasspipe/glasspipe.h>
 #include "tests/support/lists/random_order.h"
 #include "tests/support/lists/random_repeats.h"

@@ -142,8 +142,8 @@ typedef struct Gl {
 } Gl;
 
 /* Opens llvmpipe and makes a fresh context current in this thread.
- * in   minor: of OpenGL ES 3.x, at least; threads: llvmpipe's rasterizer threads, whose vertex stage
- *      runs in the caller's beside them; 0: as many as it likes
+ * in   minor: of OpenGL ES 3.x, at least; threads: llvmpipe's rasterizer threads, whose vertex
+ *      stage runs in the caller's beside them; 0: as many as it likes
  * out  *gl: to be closed, even after an error
  * errors GP_ERROR_UNSUPPORTED: no library, no such platform, or another driver; says which */
 GpResult gl_open(int minor, int threads, Gl *gl, GpError *error);

@@ -27,7 +27,8 @@ static const char own_vertices[] = GLSL_INPUTS
 static const char same_vertices[] =
     GLSL_INPUTS "void main() { n = normal; world = position; gl_Position = clip; }\n";
 
-/* shaders_c/materials/phong_shared.h in GLSL; beside the colour, who drew the pixel and at what depth. */
+/* shaders_c/materials/phong_shared.h in GLSL; beside the colour, who drew the pixel and at what
+ * depth. */
 static const char phong_pixel[] =
     "in vec3 n, world;\n"
     "uniform vec3 eye, light, ambient, diffuse;\n"

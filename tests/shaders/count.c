@@ -43,7 +43,7 @@ vertex_shader(count_vs, CountUniforms, Vertex, Varying)
     out->uv = xy(in->color);
 }
 
-/* --- one instruction each ------------------------------------------------------------------------- */
+/* --- one instruction each --------------------------------------------------------------------- */
 
 #define COUNT_DEFINE(id, value, vs_profile, ps_profile, ...)                                       \
     pixel_shader(id##_ps, CountUniforms, Varying)                                                  \
@@ -64,7 +64,7 @@ vertex_shader(count_vs, CountUniforms, Vertex, Varying)
 COUNT_INSTRUCTIONS(DEFINE_3)
 COUNT_INSTRUCTIONS_2(DEFINE_2)
 
-/* --- whole shaders, model 2 ------------------------------------------------------------------------ */
+/* --- whole shaders, model 2 ------------------------------------------------------------------- */
 
 #define SHADER(id) pixel_shader(id##_ps, CountUniforms, Varying)
 #define PROGRAM(id, ...)                                                                           \
@@ -269,7 +269,7 @@ SHADER(facing)
 }
 PROGRAM(facing, .uses_face = true)
 
-/* --- vertex shaders, and outputs -------------------------------------------------------------------- */
+/* --- vertex shaders, and outputs -------------------------------------------------------------- */
 
 vertex_shader(long_vs, CountUniforms, Vertex, Varying)
 {

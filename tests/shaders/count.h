@@ -11,8 +11,8 @@ typedef struct CountUniforms {
 } CountUniforms;
 
 /* One instruction each, in model 3, where a result reaches its target without a mov unless it is a
- * texel, negated, or not computed: name, arithmetic slots, texture slots, what is returned. Interpolants are the
- * float4 a and b and the float2 uv; s and t are flt, p and q float3. */
+ * texel, negated, or not computed: name, arithmetic slots, texture slots, what is returned.
+ * Interpolants are the float4 a and b and the float2 uv; s and t are flt, p and q float3. */
 /* clang-format off */
 #define COUNT_INSTRUCTIONS(X)                                                                      \
     X(add, 1, 0, add(in->a, in->b))                                                                \
@@ -119,7 +119,8 @@ extern const GpProgram count_gradients, count_explicit_level, count_looping, cou
     count_facing;
 /* A loop of 100 turns in model 3. */
 extern const GpProgram count_looping_3;
-/* Vertex shaders: 257 slots; a saturated input; a texture; an implicit level; a written point size and depth. */
+/* Vertex shaders: 257 slots; a saturated input; a texture; an implicit level; a written point size
+ * and depth. */
 extern const GpProgram count_long_vertex, count_vertex_sat, count_vertex_texture,
     count_vertex_texld, count_extras;
 /* A varying, and a target, that are not written whole. */

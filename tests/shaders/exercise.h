@@ -15,7 +15,8 @@ typedef struct ExerciseUniforms {
     float scale[4]; /* of texture coordinates, and thresholds */
 } ExerciseUniforms;
 
-/* Inputs of all: GP_POSITION 4 (clip space), GP_COLOR 4, GP_TEXCOORD0 2; of exercise_wide four of each. */
+/* Inputs of all: GP_POSITION 4 (clip space), GP_COLOR 4, GP_TEXCOORD0 2; of exercise_wide four of
+ * each. */
 extern const GpProgram exercise_color, exercise_targets2, exercise_targets4, exercise_texture,
     exercise_dependent, exercise_discard, exercise_depth, exercise_derivatives, exercise_math,
     exercise_local, exercise_vertex_texture, exercise_point, exercise_depth_only, exercise_position,

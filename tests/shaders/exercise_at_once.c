@@ -7,7 +7,7 @@
 #define PROFILES .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0, .inputs = INPUTS
 /* clang-format on */
 
-/* --- few varyings ------------------------------------------------------------------------------- */
+/* --- few varyings ----------------------------------------------------------------------------- */
 
 colored_vertex_shader(at_once_vs);
 
@@ -31,7 +31,7 @@ program(exercise_at_once, at_once_vs, at_once_ps, PROFILES,
 program(exercise_few_in_parts, at_once_vs, few_ps, PROFILES,
         .varyings = { { "color", 4, GP_PERSPECTIVE } })
 
-/* --- more of them, a texture, and fragments that either part discards --------------------------- */
+/* --- more of them, a texture, and fragments that either part discards ------------------------- */
 
 typedef struct Varying {
     float4 color;
@@ -80,7 +80,7 @@ program(exercise_whole, parts_vs, whole_ps, PARTS)
 program(exercise_in_parts, parts_vs, parts_ps, PARTS)
 /* clang-format on */
 
-/* --- turns, some of which discard, and lanes that have turned enough at different times ---------- */
+/* --- turns, some of which discard, and lanes that have turned enough at different times ------- */
 
 enum { TURNS = 9 };
 

@@ -1,4 +1,5 @@
-/* As many inputs and varyings as there may be: every semantic, and ten interpolants, of four components. */
+/* As many inputs and varyings as there may be: every semantic, and ten interpolants, of four
+ * components. */
 #include "tests/shaders/exercise.h"
 
 #include <glasspipe/shader.h>

@@ -1,6 +1,6 @@
-/* Tables of decisions in which every condition is shown to decide alone (modified condition/decision
- * coverage): of two rows that differ in it, one way goes the other. A row spells its conditions in the order
- * of the unit's source: T, F, or - where none asks. */
+/* Tables of decisions in which every condition is shown to decide alone (modified
+ * condition/decision coverage): of two rows that differ in it, one way goes the other. A row spells
+ * its conditions in the order of the unit's source: T, F, or - where none asks. */
 #ifndef TESTS_DECISION_H
 #define TESTS_DECISION_H
 
@@ -39,7 +39,8 @@ static inline bool shows(const Decision *decision, size_t i, int a, int b)
     return true;
 }
 
-/* Fails the running test where the rows noted leave a condition of which nothing shows that it decides. */
+/* Fails the running test where the rows noted leave a condition of which nothing shows that it
+ * decides. */
 static inline void every_condition_decides(const Decision *decision)
 {
     for (size_t i = 0; decision->conditions[0][i]; i++) {

@@ -28,10 +28,10 @@ uint64_t hash_targets(const GpList *list);
  * errors fails the running test, naming the seed, where one draws other bits than the first */
 void run_seed_everywhere(const GpPass *pass, int seed);
 
-/* Runs a list, or a frame's, on every device; each begins with the surfaces as they are now, and leaves the same
- * bits in all of them.
- * errors fails the running test, saying what was drawn, where one does not run, or draws other bits than the
- *        first */
+/* Runs a list, or a frame's, on every device; each begins with the surfaces as they are now, and
+ * leaves the same bits in all of them.
+ * errors fails the running test, saying what was drawn, where one does not run, or draws other bits
+ *        than the first */
 void run_list_everywhere(const GpList *list, const char *what);
 void run_everywhere(const Frame *frame);
 

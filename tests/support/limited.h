@@ -1,4 +1,5 @@
-/* Whether limits of memory mean here what they say: sanitizers and emulators have memory of their own. */
+/* Whether limits of memory mean here what they say: sanitizers and emulators have memory of their
+ * own. */
 #ifndef TESTS_LIMITED_H
 #define TESTS_LIMITED_H
 

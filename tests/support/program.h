@@ -157,7 +157,8 @@ static inline json_t *parse_output(void)
     return object;
 }
 
-/* A table of options, and what they say when all is said: a command has the same setting with both. */
+/* A table of options, and what they say when all is said: a command has the same setting with
+ * both. */
 static inline void expect_same_settings(const char *command, const char *const (*rows)[2],
                                         size_t count)
 {

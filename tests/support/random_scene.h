@@ -1,5 +1,5 @@
-/* Scenes under one light, made at random: models lie, stand and float, turned any way, on a floor that
- * may be tilted; the light may be near or far, around or narrow, a point or not. */
+/* Scenes under one light, made at random: models lie, stand and float, turned any way, on a floor
+ * that may be tilted; the light may be near or far, around or narrow, a point or not. */
 #ifndef TESTS_RANDOM_SCENE_H
 #define TESTS_RANDOM_SCENE_H
 

@@ -14,8 +14,8 @@ typedef struct SlotsRow {
 #define SLOTS_ROW(name, vertex, pixel) { &name##_program, vertex, pixel }
 /* clang-format on */
 
-/* Prints what each takes. Fails the running test where one takes more than its row says or does not keep to
- * its profile; skips it where the counting build is not there. */
+/* Prints what each takes. Fails the running test where one takes more than its row says or does not
+ * keep to its profile; skips it where the counting build is not there. */
 static inline void check_slots(const SlotsRow *rows, size_t count)
 {
     int failed = 0;

@@ -1,4 +1,5 @@
-/* Volumes splatted for tests: a small field, a view, a picture, and how far it is from the truth. */
+/* Volumes splatted for tests: a small field, a view, a picture, and how far it is from the
+ * truth. */
 #ifndef TESTS_SPLATTED_VOLUME_H
 #define TESTS_SPLATTED_VOLUME_H
 

@@ -1,13 +1,15 @@
 # Checks the size of files and folders: awk -v reasons="PATH WHY..." -f check_sizes.awk FILE...
 #
 # A file has at most 500 lines, unless a line of `reasons` begins with it, or with its folder and a
-# slash: then 800. A folder has at most 25 units (.h and .c of one name are one). What turns
-# clang-format off turns it on again.
+# slash: then 800. A folder has at most 25 units (.h and .c of one name are one). Comments that stand
+# alone have lines of at most 100 columns, which clang-format leaves to us. What turns clang-format off
+# turns it on again.
 
 BEGIN {
     MOST_LINES = 500
     MOST_WITH_REASON = 800
     MOST_UNITS = 25
+    MOST_COLUMNS = 100
     n = split(reasons, lines, "\n")
     for (i = 1; i <= n; i++)
         if (split(lines[i], words, " ") > 1)
@@ -51,6 +53,9 @@ FNR == 1 {
 }
 
 { count = FNR }
+length($0) > MOST_COLUMNS && !is_off && /^ *(\/\*|\*)/ {
+    complain(file, "a comment is wider than " MOST_COLUMNS " columns in line " FNR)
+}
 /clang-format off/ { is_off = 1 }
 /clang-format on/ { is_off = 0 }
 

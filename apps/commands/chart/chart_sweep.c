@@ -39,8 +39,8 @@ void chart_sweep_prepare(const Technique *const *techniques, int argc, char **ar
 
 /* --- lists ------------------------------------------------------------------------------------ */
 
-/* Copies the item at the begin of a list; cut where it is too long to be one. returns where the next
- * one begins, behind its comma */
+/* Copies the item at the begin of a list; cut where it is too long to be one. returns where the
+ * next one begins, behind its comma */
 static size_t next_item(const char *at, char item[SETTING_MAX_TEXT])
 {
     const size_t length = strcspn(at, ",");

@@ -1,4 +1,5 @@
-/* A sweep of one's own: settings of a technique as lists, --map 512,1024 --method plain,hardware. */
+/* A sweep of one's own: settings of a technique as lists, --map 512,1024 --method
+ * plain,hardware. */
 #ifndef APPS_COMMANDS_CHART_SWEEP_H
 #define APPS_COMMANDS_CHART_SWEEP_H
 
@@ -23,8 +24,8 @@ typedef struct ChartSweep {
 void chart_sweep_prepare(const Technique *const *techniques, int argc, char **argv,
                          ChartSweep *sweep);
 
-/* Makes the rows of what was given. Does not return where a list has what its setting does not take,
- * or where there are too many. */
+/* Makes the rows of what was given. Does not return where a list has what its setting does not
+ * take, or where there are too many. */
 void chart_sweep_check(struct argp_state *state, ChartSweep *sweep);
 
 void chart_sweep_free(ChartSweep *sweep);

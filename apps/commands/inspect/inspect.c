@@ -75,9 +75,10 @@ static const CommandSyntax syntax = {
     .check = check_arguments,
 };
 
-/* --- two frames -------------------------------------------------------------------------------- */
+/* --- two frames ------------------------------------------------------------------------------- */
 
-/* What --against names: a scene, or options on top of the others. owns: the caller frees *setting */
+/* What --against names: a scene, or options on top of the others. owns: the caller frees
+ * *setting */
 static int open_other(const InspectCommand *command, Drawn *other, void **setting)
 {
     GpError error = { "" };

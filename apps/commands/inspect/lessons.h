@@ -4,8 +4,8 @@
 
 #include "apps/commands/inspect/page.h"
 
-/* Writes the page of the lesson that --lesson names, or those of all in a folder; an exit code, with its
- * message said. Lessons are found where data is. */
+/* Writes the page of the lesson that --lesson names, or those of all in a folder; an exit code,
+ * with its message said. Lessons are found where data is. */
 int inspect_lessons(InspectCommand *command);
 
 #endif

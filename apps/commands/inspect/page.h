@@ -1,4 +1,5 @@
-/* What `glasspipe inspect` was asked for, the frame that it opens, and the page that it writes of it. */
+/* What `glasspipe inspect` was asked for, the frame that it opens, and the page that it writes of
+ * it. */
 #ifndef APPS_COMMANDS_INSPECT_PAGE_H
 #define APPS_COMMANDS_INSPECT_PAGE_H
 
@@ -30,7 +31,8 @@ typedef struct Drawn {
     float *off;                   /* [height][width]; NULL: unknown */
 } Drawn;
 
-/* Opens a scene, or the frame that the command's technique makes of one; an exit code, with its message said.
+/* Opens a scene, or the frame that the command's technique makes of one; an exit code, with its
+ * message said.
  * in     setting: of the technique; NULL without one
  * owns   the caller, until inspect_release, after a failure too */
 int inspect_open(const InspectCommand *command, const char *path, void *setting, Drawn *drawn);

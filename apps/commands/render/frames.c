@@ -72,8 +72,8 @@ static uint32_t touched(int32_t x0, int32_t x1, uint32_t part)
     return ((uint32_t)x1 + part - 1) / part - (uint32_t)x0 / part;
 }
 
-/* One where that is enough; else as many as memory asks for, and more only where fewer than are wanted:
- * so that a large picture has the same parts whoever draws it, as its journal has. */
+/* One where that is enough; else as many as memory asks for, and more only where fewer than are
+ * wanted: so that a large picture has the same parts whoever draws it, as its journal has. */
 static void choose_parts(Frames *frames, uint32_t width, uint32_t height, uint32_t wanted)
 {
     const GpRect *window = &frames->window;

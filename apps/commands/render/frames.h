@@ -16,7 +16,8 @@ typedef struct FrameResult {
     uint64_t hash; /* gp_surface_hash's */
 } FrameResult;
 
-/* Frame number i is first + i * step; its window is cut into parts, of each of which an item is made. */
+/* Frame number i is first + i * step; its window is cut into parts, of each of which an item is
+ * made. */
 typedef struct Frames {
     const char *scene, *output; /* paths; # of the output are digits of the frame */
     bool moves;                 /* there are frames, and not just one picture */
@@ -39,8 +40,8 @@ typedef struct Frames {
     char strips_path[FRAMES_PATH];
 } Frames;
 
-/* Cuts frames into so many parts that there is work for all who draw at once, and that each fits into
- * memory.
+/* Cuts frames into so many parts that there is work for all who draw at once, and that each fits
+ * into memory.
  * errors GP_ERROR_INVALID: too large for the output's format; GP_ERROR_MEMORY */
 GpResult frames_split(Frames *frames, uint32_t at_once, GpError *error);
 

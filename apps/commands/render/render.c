@@ -79,7 +79,7 @@ static const CommandSyntax syntax = {
     .check = check,
 };
 
-/* --- rendering ------------------------------------------------------------------------------- */
+/* --- rendering -------------------------------------------------------------------------------- */
 
 static int draw(const Render *render, const char *path, GpDevice *device, const GpList *list,
                 const GpSurface *surface)

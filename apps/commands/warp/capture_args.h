@@ -33,7 +33,8 @@ CaptureInput capture_input(const CaptureArgs *args);
 /* Makes the images.
  * in   device: to draw with
  * out  model: untouched on failure; owned by the caller until depth_model_free
- * errors those of what is read and captured, with the file; GP_ERROR_INVALID: no pixel shows anything */
+ * errors those of what is read and captured, with the file; GP_ERROR_INVALID: no pixel shows
+ *      anything */
 GpResult capture_model(const CaptureArgs *args, GpDevice *device, DepthModel *model,
                        GpError *error);
 

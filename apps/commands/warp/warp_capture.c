@@ -128,7 +128,7 @@ static const CommandSyntax syntax = {
     .check = check,
 };
 
-/* --- what is said ------------------------------------------------------------------------------- */
+/* --- what is said ----------------------------------------------------------------------------- */
 
 /* What a layer of pixels shows. */
 typedef struct Shown {
@@ -215,7 +215,7 @@ static int say(const CaptureArgs *args, const char *file, const DepthModel *mode
     return EXIT_DONE;
 }
 
-/* --- the command ---------------------------------------------------------------------------------- */
+/* --- the command ------------------------------------------------------------------------------ */
 
 static int write_camera(const char *path, const DepthModel *model)
 {

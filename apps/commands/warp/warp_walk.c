@@ -70,7 +70,7 @@ static const CommandSyntax syntax = {
     .take = take_name,
 };
 
-/* --- the sheet --------------------------------------------------------------------------------- */
+/* --- the sheet -------------------------------------------------------------------------------- */
 
 static GpResult make_sheet(const WalkCommand *command, Picture *sheet)
 {
@@ -120,7 +120,7 @@ static GpResult add_picture(const GpSurface *color, uint32_t number, uint32_t ro
     return GP_OK;
 }
 
-/* --- the way ----------------------------------------------------------------------------------- */
+/* --- the way ---------------------------------------------------------------------------------- */
 
 typedef struct Way {
     const WalkCommand *command;

@@ -12,7 +12,7 @@ enum { LARGEST_PICTURE = 2048 }; /* of the plane, pixels a side */
 
 static const double least_beyond = 1e-3; /* the eye from the plane, in radii */
 
-/* --- opening ----------------------------------------------------------------------------------- */
+/* --- opening ---------------------------------------------------------------------------------- */
 
 GpResult cylinder_open(const DepthImage *image, CylinderWarp *made, GpError *error)
 {
@@ -52,7 +52,7 @@ void cylinder_close(CylinderWarp *made)
     *made = (CylinderWarp){ .image = NULL };
 }
 
-/* --- the eye and the plane --------------------------------------------------------------------- */
+/* --- the eye and the plane -------------------------------------------------------------------- */
 
 /* The plane that touches the cylinder at the eye's azimuth. */
 typedef struct TouchingPlane {
@@ -102,8 +102,8 @@ static bool find_plane(const DepthImage *image, const WarpView *view, TouchingPl
     return plane->away > cylinder->radius * (1 + least_beyond);
 }
 
-/* What of the plane the cylinder may be warped to. To the sides its silhouette; heights move towards the
- * eye's, the more the farther away, at most on the far side. */
+/* What of the plane the cylinder may be warped to. To the sides its silhouette; heights move
+ * towards the eye's, the more the farther away, at most on the far side. */
 static void find_window(const DepthCylinder *cylinder, const WarpView *view, TouchingPlane *plane)
 {
     const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
@@ -149,7 +149,7 @@ static void clip_matrix(const WarpView *view, double clip[4][4])
     matrix_multiply(projection, eye, clip);
 }
 
-/* --- drawing ----------------------------------------------------------------------------------- */
+/* --- drawing ---------------------------------------------------------------------------------- */
 
 static const CylinderStrips *strips_for(const CylinderWarp *made, const CylinderSetting *setting,
                                         const WarpView *view)

@@ -1,13 +1,14 @@
-/* Cylindrical depth images as printed: warped within the plane that touches the cylinder at the eye's
- * azimuth, in an order that needs no depth test; then that plane as a picture on its rectangle, under the
- * depth test. Caps, planar images of the same model, are drawn where the eye is on their side: from above
- * that from above, from below the other, at the height of the cylinder none.
+/* Cylindrical depth images as printed: warped within the plane that touches the cylinder at the
+ * eye's azimuth, in an order that needs no depth test; then that plane as a picture on its
+ * rectangle, under the depth test. Caps, planar images of the same model, are drawn where the eye
+ * is on their side: from above that from above, from below the other, at the height of the cylinder
+ * none.
  *
- * An eye inside the cylinder, as long as it may be, has no such plane, nor have parallel rays: there the
- * same triangles are drawn straight, with the depth test.
+ * An eye inside the cylinder, as long as it may be, has no such plane, nor have parallel rays:
+ * there the same triangles are drawn straight, with the depth test.
  *
- * DEVIATES: caps are surfaces (surface.h), cut at jumps, since the sheets between near and far that a
- *        warped cap has hang in front of the wall; and triangles that turn away are left out.
+ * DEVIATES: caps are surfaces (surface.h), cut at jumps, since the sheets between near and far that
+ *        a warped cap has hang in front of the wall; and triangles that turn away are left out.
  * source Liu, Liu, Wu, Journal of Software 18(6), 2007, sections 3.2, 3.3 and 3.5 */
 #ifndef APPS_DEPTH_IMAGES_DRAWING_CYLINDER_H
 #define APPS_DEPTH_IMAGES_DRAWING_CYLINDER_H

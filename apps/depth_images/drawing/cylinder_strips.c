@@ -8,7 +8,7 @@
 
 enum { PART = 32 }; /* cells of a part */
 
-/* --- making ------------------------------------------------------------------------------------ */
+/* --- making ----------------------------------------------------------------------------------- */
 
 static void make_vertices(const SurfaceGrid *grid, CylinderStrips *strips)
 {
@@ -127,7 +127,7 @@ void cylinder_strips_close(CylinderStrips *strips)
     *strips = (CylinderStrips){ .step = 0 };
 }
 
-/* --- drawing ----------------------------------------------------------------------------------- */
+/* --- drawing ---------------------------------------------------------------------------------- */
 
 typedef struct Drawing {
     const CylinderStrips *strips;

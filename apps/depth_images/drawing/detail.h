@@ -24,9 +24,11 @@ WarpDetailUniforms warp_detail_uniforms(const WarpDetail *detail, const DepthPix
 /* Heights as vertex shaders read them. */
 GpTexture warp_detail_texture(const WarpDetail *detail);
 
-/* Leans the normals of a layer, which it has, by as much as the relief leans those that its points have.
+/* Leans the normals of a layer, which it has, by as much as the relief leans those that its points
+ * have.
  * in/out pixels: a layer of the image
- * errors GP_ERROR_MEMORY; source: ours, after Blinn, "Simulation of wrinkled surfaces", SIGGRAPH 1978 */
+ * errors GP_ERROR_MEMORY; source: ours, after Blinn, "Simulation of wrinkled surfaces", SIGGRAPH
+ *      1978 */
 GpResult warp_detail_lean(const DepthImage *image, DepthPixels *pixels, const WarpDetail *detail,
                           GpError *error);
 

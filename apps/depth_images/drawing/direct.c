@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* --- what stays ------------------------------------------------------------------------------------- */
+/* --- what stays ------------------------------------------------------------------------------- */
 
 /* What is meant: without the second layer, and with it. */
 static const EdgeSetting usual_edges[2] = { { .rule = EDGES_SLOPES },
@@ -79,9 +79,10 @@ static GpResult keep_textures(const DepthPixels *pixels, bool is_lit, uint32_t l
     return result;
 }
 
-/* --- a frame ---------------------------------------------------------------------------------------- */
+/* --- a frame ---------------------------------------------------------------------------------- */
 
-/* Grids are kept of steps that are powers of two; the largest that is no larger than what is asked. */
+/* Grids are kept of steps that are powers of two; the largest that is no larger than what is
+ * asked. */
 static int kept_step(uint32_t step)
 {
     int i = 0;

@@ -1,9 +1,10 @@
-/* Planar depth images in one pass, straight to the view and with the depth test: merged grids of the
- * front layer and, where holes are to be filled, of what lies behind it (shaders_c/warp/direct.h).
+/* Planar depth images in one pass, straight to the view and with the depth test: merged grids of
+ * the front layer and, where holes are to be filled, of what lies behind it
+ * (shaders_c/warp/direct.h).
  *
  * Any eye will do: what it cannot see of the images stays empty, and what is behind it is clipped.
- * source ours, after paper 001, section 2; layers: Shade, Gortler, He, Szeliski, "Layered depth images",
- *        SIGGRAPH 1998 */
+ * source ours, after paper 001, section 2; layers: Shade, Gortler, He, Szeliski, "Layered depth
+ *        images", SIGGRAPH 1998 */
 #ifndef APPS_DEPTH_IMAGES_DRAWING_DIRECT_H
 #define APPS_DEPTH_IMAGES_DRAWING_DIRECT_H
 
@@ -34,8 +35,8 @@ enum { DIRECT_STEPS = 5 }; /* of grids that are kept: 1, 2, 4, 8, 16 */
 /* A layer as a grid: the front alone; before what is behind it; and that. */
 typedef enum DirectLayer { DIRECT_ALONE, DIRECT_BEFORE, DIRECT_BEHIND, DIRECT_LAYERS } DirectLayer;
 
-/* Owned by whoever made it, until direct_close. A zeroed one is empty. Grids and textures are made when a frame
- * first wants them. */
+/* Owned by whoever made it, until direct_close. A zeroed one is empty. Grids and textures are made
+ * when a frame first wants them. */
 typedef struct Direct {
     const DepthImage *image; /* borrowed */
     WarpGrid grids[DIRECT_LAYERS][DIRECT_STEPS];
@@ -48,8 +49,8 @@ typedef struct Direct {
 /* errors GP_ERROR_INVALID: a cylinder */
 GpResult direct_open(const DepthImage *image, Direct *made, GpError *error);
 
-/* Appends a pass. Triangles of the second layer that turn their insides to the eye are left out, where it has
- * normals; grids of settings that are not the usual ones are made for the frame.
+/* Appends a pass. Triangles of the second layer that turn their insides to the eye are left out,
+ * where it has normals; grids of settings that are not the usual ones are made for the frame.
  * errors GP_ERROR_MEMORY; those of textures.h */
 GpResult direct_add(Direct *made, const DirectSetting *setting, const WarpView *view,
                     const WarpTarget *target, Frame *frame, GpError *error);

@@ -13,7 +13,7 @@ typedef struct Image {
     const DepthPixels *pixels;
 } Image;
 
-/* --- between pixels ------------------------------------------------------------------------------- */
+/* --- between pixels --------------------------------------------------------------------------- */
 
 /* A row or a column of pixels. */
 typedef struct Line {
@@ -43,8 +43,8 @@ static double flat_step(const DepthLattice *lattice, double flat)
     return lattice->is_parallel ? lattice->level : lattice->level * flat * flat;
 }
 
-/* Whether the way between two pixels goes along the surface at both of them, as normals have it: beside a
- * silhouette the jump to another surface may be no steeper than the slope before it. */
+/* Whether the way between two pixels goes along the surface at both of them, as normals have it:
+ * beside a silhouette the jump to another surface may be no steeper than the slope before it. */
 static bool lies_along(const Image *image, double cosine, size_t from, size_t to)
 {
     const DepthPixels *pixels = image->pixels;
@@ -92,7 +92,7 @@ static bool is_one_surface(const DepthLattice *lattice, const EdgeSetting *setti
            (!asks || lies_along(image, setting->along, from, from + line->stride));
 }
 
-/* --- pixels ------------------------------------------------------------------------------------------- */
+/* --- pixels ----------------------------------------------------------------------------------- */
 
 /* By its normal, where there is one. */
 static bool is_away(const DepthPlane *plane, const DepthPixels *pixels, uint32_t x, uint32_t y)
@@ -181,7 +181,7 @@ GpResult depth_lattice_make(const DepthPlane *plane, const DepthPixels *pixels,
     return result;
 }
 
-/* --- fewer vertices ------------------------------------------------------------------------------------ */
+/* --- fewer vertices --------------------------------------------------------------------------- */
 
 static uint32_t vertices_of(uint32_t pixels, uint32_t step)
 {

@@ -1,8 +1,9 @@
-/* Which pixels of a planar depth image lie side by side on one surface, and which only in the picture.
+/* Which pixels of a planar depth image lie side by side on one surface, and which only in the
+ * picture.
  *
- * Flat depths: depth itself where rays are parallel, and 1 / depth where they meet in an eye. Of a plane
- * they are a linear function of the place in the picture, and stay so wherever the plane is seen from;
- * so it is they that are interpolated, compared and continued.
+ * Flat depths: depth itself where rays are parallel, and 1 / depth where they meet in an eye. Of a
+ * plane they are a linear function of the place in the picture, and stay so wherever the plane is
+ * seen from; so it is they that are interpolated, compared and continued.
  */
 #ifndef APPS_DEPTH_IMAGES_DRAWING_EDGES_H
 #define APPS_DEPTH_IMAGES_DRAWING_EDGES_H
@@ -26,7 +27,8 @@ typedef struct EdgeSetting {
     double along;
 } EdgeSetting;
 
-/* Vertices of a grid over the picture, every step-th pixel and the last, and which are one surface. */
+/* Vertices of a grid over the picture, every step-th pixel and the last, and which are one
+ * surface. */
 typedef struct DepthLattice {
     uint32_t width, height; /* vertices */
     uint32_t image[2];      /* pixels across and down */
@@ -45,16 +47,17 @@ typedef enum EdgeNeighbour {
     EDGE_DOWN = 2   /* with the one below */
 } EdgeNeighbour;
 
-/* The least step between neighbours in a row that is not 0: of depths that were stored in few bits, what
- * they were rounded to, so that steps of it are no edges. 0: there is none, or fewer than 16 of it from the
- * nearest to the farthest. */
+/* The least step between neighbours in a row that is not 0: of depths that were stored in few bits,
+ * what they were rounded to, so that steps of it are no edges. 0: there is none, or fewer than 16
+ * of it from the nearest to the farthest. */
 double depth_level(const DepthPixels *pixels);
 
-/* Says that an image's depths are in steps wider than its pixels, a sentence; NULL: they are not. */
+/* Says that an image's depths are in steps wider than its pixels, a sentence; NULL: they are
+ * not. */
 const char *depth_level_warning(const DepthPlane *plane, const DepthPixels *pixels);
 
-/* Finds where surfaces end: every pixel is a vertex. A pixel at the eye itself, of perspective images, is
- * nothing.
+/* Finds where surfaces end: every pixel is a vertex. A pixel at the eye itself, of perspective
+ * images, is nothing.
  * in     pixels: at least one
  * errors GP_ERROR_MEMORY; *lattice is then empty
  * owns   the caller, until depth_lattice_free
@@ -70,9 +73,9 @@ void depth_lattice_free(DepthLattice *lattice); /* a zeroed one is fine */
 /* Whether a cell, by its upper left vertex, is there and one surface along all four sides. */
 bool depth_lattice_is_whole(const DepthLattice *lattice, int64_t x, int64_t y);
 
-/* Where a place between vertices is across (axis 0) or down the picture, in pixels from its upper left
- * corner: vertices stand in the middles of their pixels, and beyond the first and the last is the
- * picture's side. */
+/* Where a place between vertices is across (axis 0) or down the picture, in pixels from its upper
+ * left corner: vertices stand in the middles of their pixels, and beyond the first and the last is
+ * the picture's side. */
 double depth_lattice_place(const DepthLattice *lattice, int axis, double at);
 
 /* Depth of a flat depth, and the other way. */
@@ -81,8 +84,8 @@ static inline double depth_flat(bool is_parallel, double depth)
     return is_parallel ? depth : 1 / depth;
 }
 
-/* A difference of flat depths at a flat depth, in widths of the pixels there: so far it would be seen
- * aside, in pixels, from an eye that looks at 45 degrees. */
+/* A difference of flat depths at a flat depth, in widths of the pixels there: so far it would be
+ * seen aside, in pixels, from an eye that looks at 45 degrees. */
 static inline double depth_lattice_texels(const DepthLattice *lattice, double flat,
                                           double difference)
 {

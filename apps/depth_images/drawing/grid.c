@@ -18,7 +18,7 @@ typedef struct Builder {
     bool failed;
 } Builder;
 
-/* --- arrays that grow ------------------------------------------------------------------------------- */
+/* --- arrays that grow ------------------------------------------------------------------------- */
 
 static void *room_for(Builder *b, void *array, uint32_t count, uint32_t *room, size_t size)
 {
@@ -57,7 +57,7 @@ static void add_triangle(Builder *b, const int32_t place[2], uint32_t i, uint32_
     g->index_count += 3;
 }
 
-/* --- vertices ---------------------------------------------------------------------------------------- */
+/* --- vertices --------------------------------------------------------------------------------- */
 
 /* in  at: of the lattice; color: the same, where its colour is */
 static uint32_t vertex_at(Builder *b, const double at[2], double flat, const double color[2])
@@ -86,10 +86,11 @@ static uint32_t lattice_vertex(Builder *b, const int32_t place[2])
     return *known - 1;
 }
 
-/* --- whole cells --------------------------------------------------------------------------------------- */
+/* --- whole cells ------------------------------------------------------------------------------ */
 
-/* Places in pixels of the picture, and depths so that a unit of them is seen as a pixel, from an eye as far
- * aside as the nearest point is away: where nothing is farther off than the tolerance, so are pixels. */
+/* Places in pixels of the picture, and depths so that a unit of them is seen as a pixel, from an
+ * eye as far aside as the nearest point is away: where nothing is farther off than the tolerance,
+ * so are pixels. */
 static GpResult make_points(const Builder *b, float (**points)[3], uint8_t **cuts)
 {
     const DepthLattice *lattice = &b->lattice;
@@ -152,7 +153,7 @@ static GpResult add_whole_cells(Builder *b)
     return result;
 }
 
-/* --- cells in which a surface ends ---------------------------------------------------------------------- */
+/* --- cells in which a surface ends ------------------------------------------------------------ */
 
 /* Clockwise from the upper left. */
 static const int32_t corner_x[SIDES] = { 0, 1, 1, 0 }, corner_y[SIDES] = { 0, 0, 1, 1 };
@@ -203,7 +204,8 @@ static double half_slope(const Builder *b, const int32_t place[2], int axis, int
     return lattice->is_parallel ? half : fmax(half, -here / 2); /* no farther than twice */
 }
 
-/* A corner of a cell, and what its surface is half a step from it, on either axis, towards the middle. */
+/* A corner of a cell, and what its surface is half a step from it, on either axis, towards the
+ * middle. */
 typedef struct Corner {
     int32_t place[2], way[2];
     double flat, slope[2];
@@ -238,9 +240,10 @@ static uint32_t middle_vertex(Builder *b, const Corner corner[SIDES])
     return vertex_at(b, at, (corner[1].flat + corner[2].flat) / 2, color);
 }
 
-/* Corners first..first + count - 1 are one surface, which ends before and after them. Colours are those
- * between the corners, so that no other surface's are mixed in.
- * source Lorensen, Cline, "Marching cubes", SIGGRAPH 1987, of squares, cut in their sides' middles */
+/* Corners first..first + count - 1 are one surface, which ends before and after them. Colours are
+ * those between the corners, so that no other surface's are mixed in.
+ * source Lorensen, Cline, "Marching cubes", SIGGRAPH 1987, of squares, cut in their sides'
+ *      middles */
 static void add_end(Builder *b, const Cell *cell, int first, int count)
 {
     Corner corner[SIDES];
@@ -281,7 +284,7 @@ static void add_ends(Builder *b, int32_t x, int32_t y)
     }
 }
 
-/* --- all ------------------------------------------------------------------------------------------------- */
+/* --- all -------------------------------------------------------------------------------------- */
 
 static GpResult build(Builder *b)
 {

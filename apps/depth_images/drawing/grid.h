@@ -1,5 +1,6 @@
-/* Planar depth images as triangles in their own pictures: cells merged where they are flat (merge.h), and
- * cells through which a surface ends, as far as half a cell from its last pixels, with the slope that the surface has there and colours of no other surface.
+/* Planar depth images as triangles in their own pictures: cells merged where they are flat
+ * (merge.h), and cells through which a surface ends, as far as half a cell from its last pixels,
+ * with the slope that the surface has there and colours of no other surface.
  */
 #ifndef APPS_DEPTH_IMAGES_DRAWING_GRID_H
 #define APPS_DEPTH_IMAGES_DRAWING_GRID_H
@@ -37,7 +38,8 @@ typedef struct GridVertex {
     float u, v; /* where its colour is, 0..1: another place than its own where a surface ends */
 } GridVertex;
 
-/* Triangles, counter-clockwise in the image's own picture but for `turned`. A zeroed one is empty. */
+/* Triangles, counter-clockwise in the image's own picture but for `turned`. A zeroed one is
+ * empty. */
 typedef struct WarpGrid {
     GridVertex *vertices;
     uint32_t *indices;

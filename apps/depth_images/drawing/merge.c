@@ -12,7 +12,8 @@ enum {
     PATCH_INDICES = SIDE * SIDE * 6,
 };
 
-/* Errors of the points that halve triangles, over squares that cover the grid and may reach beyond. */
+/* Errors of the points that halve triangles, over squares that cover the grid and may reach
+ *      beyond. */
 typedef struct Merging {
     const MergeGrid *grid;
     double tolerance;
@@ -25,7 +26,7 @@ typedef struct Merging {
     uint32_t square[2];
 } Merging;
 
-/* --- how far triangles are from their points --------------------------------------------------- */
+/* --- how far triangles are from their points -------------------------------------------------- */
 
 static bool is_inside(const Merging *merging, int64_t x, int64_t y)
 {
@@ -65,7 +66,8 @@ static float error_at(const Merging *merging, int64_t x, int64_t y)
     return is_inside(merging, x, y) ? merging->errors[y * merging->size[0] + x] : 0;
 }
 
-/* From a point to the middle between two others about it: along its normal, or aside as far as counts. */
+/* From a point to the middle between two others about it: along its normal, or aside as far as
+ * counts. */
 static float bend(const Merging *merging, int64_t x, int64_t y, int64_t dx, int64_t dy)
 {
     const MergeGrid *grid = merging->grid;
@@ -82,8 +84,8 @@ static float bend(const Merging *merging, int64_t x, int64_t y, int64_t dx, int6
     return (float)(grid->normal ? fmax(fabs(out), length / MERGE_ASIDE) : length);
 }
 
-/* A bound for all points of the triangles that a point halves: what it is off itself, and what those
- * are that halve their halves, on its four sides; NULL: those are not halved. */
+/* A bound for all points of the triangles that a point halves: what it is off itself, and what
+ * those are that halve their halves, on its four sides; NULL: those are not halved. */
 static void set_error(Merging *merging, int64_t x, int64_t y, float own, const int64_t below[4][2])
 {
     float most = 0;
@@ -151,7 +153,7 @@ static void find_errors(Merging *merging)
     }
 }
 
-/* --- triangles --------------------------------------------------------------------------------- */
+/* --- triangles -------------------------------------------------------------------------------- */
 
 static uint32_t vertex_of(Merging *merging, const int64_t point[2])
 {
@@ -217,7 +219,7 @@ static void add_triangle(Merging *merging, const int64_t a[2], const int64_t b[2
         merging->mesh.indices[merging->mesh.index_count++] = vertex_of(merging, corners[i]);
 }
 
-/* --- patches ----------------------------------------------------------------------------------- */
+/* --- patches ---------------------------------------------------------------------------------- */
 
 /* Room for one patch more. */
 static bool make_room(void **array, uint32_t *room, uint32_t count, uint32_t more)
@@ -371,8 +373,9 @@ void merged_free(MergedMesh *mesh)
     *mesh = (MergedMesh){ 0 };
 }
 
-/* A triangle of normal n turns away where n . way >= radius, from the eye to the ball's middle; and n . way
- * is least where n leans by the whole cone's angle: for way . axis >= sine length + radius it is enough. */
+/* A triangle of normal n turns away where n . way >= radius, from the eye to the ball's middle; and
+ * n . way is least where n leans by the whole cone's angle: for way . axis >= sine length + radius
+ * it is enough. */
 bool merged_may_face(const MergedPatch *patch, const double eye[3], bool parallel)
 {
     double way[3];

@@ -1,9 +1,10 @@
 /* Grids of points as few triangles: cells are merged where what they stand for is flat.
  *
- * Squares of 32 x 32 cells are halved along their diagonals, and halved again, until each triangle is
- * as near to the points that it stands for as was asked. A triangle is halved together with its
+ * Squares of 32 x 32 cells are halved along their diagonals, and halved again, until each triangle
+ * is as near to the points that it stands for as was asked. A triangle is halved together with its
  * neighbour across the long side, so that no crack opens, between squares neither.
- * source Evans, Kirkpatrick, Townsend, "Right-triangulated irregular networks", Algorithmica 30, 2001
+ * source Evans, Kirkpatrick, Townsend, "Right-triangulated irregular networks", Algorithmica 30,
+ *      2001
  */
 #ifndef APPS_DEPTH_IMAGES_DRAWING_MERGE_H
 #define APPS_DEPTH_IMAGES_DRAWING_MERGE_H
@@ -19,17 +20,19 @@ typedef struct MergeGrid {
     bool wraps;                 /* the last column is the first one again */
     const float (*position)[3]; /* [rows][columns]; x infinite: there is none */
     const float (*normal)[3];   /* [rows][columns], unit length; NULL: unknown */
-    /* [rows][columns]: MERGE_CUT_RIGHT, MERGE_CUT_DOWN: no triangle has this side; NULL: none is cut */
+    /* [rows][columns]: MERGE_CUT_RIGHT, MERGE_CUT_DOWN: no triangle has this side; NULL: none is
+     * cut */
     const uint8_t *cut;
     bool whole_cells; /* only cells of which all points and sides are there */
-    /* [rows + 1][columns + 1]: how many points above and to the left of a place are needed; triangles are
-     * left out whose box has none. NULL: all are */
+    /* [rows + 1][columns + 1]: how many points above and to the left of a place are needed;
+     * triangles are left out whose box has none. NULL: all are */
     const uint32_t *needed;
 } MergeGrid;
 
 enum { MERGE_CUT_RIGHT = 1, MERGE_CUT_DOWN = 2 };
 
-/* Triangles of one square of the grid: neighbours in memory, and all that is needed to leave them out. */
+/* Triangles of one square of the grid: neighbours in memory, and all that is needed to leave them
+ * out. */
 typedef struct MergedPatch {
     uint32_t first_vertex, vertex_count, first_index, index_count;
     double center[3], radius; /* of a ball about them */
@@ -45,11 +48,11 @@ typedef struct MergedMesh {
     MergedPatch *patches; /* only those that have triangles; square by square, in rows */
 } MergedMesh;
 
-/* Merges cells so far that no point of the grid is farther than `tolerance` from where the triangle that
- * stands for it has it, by its place along the grid: with normals, so far along its own, and MERGE_ASIDE
- * times as far aside, where only its colour is seen to move. Next to points that are missing, and at
- * cuts, nothing is merged. A half of a cell is there where its three points are and no side is cut,
- * unless only whole cells are asked for.
+/* Merges cells so far that no point of the grid is farther than `tolerance` from where the triangle
+ * that stands for it has it, by its place along the grid: with normals, so far along its own, and
+ * MERGE_ASIDE times as far aside, where only its colour is seen to move. Next to points that are
+ * missing, and at cuts, nothing is merged. A half of a cell is there where its three points are and
+ * no side is cut, unless only whole cells are asked for.
  * errors GP_ERROR_MEMORY */
 GpResult merge_grid(const MergeGrid *grid, double tolerance, MergedMesh *mesh, GpError *error);
 void merged_free(MergedMesh *mesh);

@@ -27,7 +27,8 @@ typedef struct Run {
     int step;
 } Run;
 
-/* The two runs of cells on both sides of the epipole, along an axis; that which has it is the second.
+/* The two runs of cells on both sides of the epipole, along an axis; that which has it is the
+ * second.
  * returns in runs[]: none is one whose last is not reached from the first */
 static void cut(const WarpOrder *order, const DepthLattice *lattice, int axis, Run runs[2])
 {

@@ -12,7 +12,7 @@
 
 enum { USUAL_ENTRIES = 4096, LARGEST_PICTURE = 2048 /* pixels a side */ };
 
-/* --- what stays ------------------------------------------------------------------------------------- */
+/* --- what stays ------------------------------------------------------------------------------- */
 
 GpResult planar_open(const DepthImage *image, Planar *made, GpError *error)
 {
@@ -42,7 +42,7 @@ void planar_close(Planar *made)
     *made = (Planar){ .image = NULL };
 }
 
-/* --- the eye ---------------------------------------------------------------------------------------- */
+/* --- the eye ---------------------------------------------------------------------------------- */
 
 /* The eye before the image, in the image's axes, and which depths it can be shown. */
 typedef struct PlanarEye {
@@ -119,7 +119,7 @@ const char *planar_warning(const DepthImage *image, const WarpView *view)
     return warning ? warning : depth_level_warning(&image->plane, &image->front);
 }
 
-/* --- the picture in the plane ------------------------------------------------------------------------- */
+/* --- the picture in the plane ----------------------------------------------------------------- */
 
 typedef struct Window {
     double low[2], high[2]; /* in the plane, along right and up */
@@ -137,8 +137,8 @@ static void window_add(Window *window, double x, double y)
 
 static const Window empty_window = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL }, { 0, 0 } };
 
-/* All to which the corners of what the picture shows are warped at the least and the greatest depth: what
- * is between them goes between these, since k is monotonous. */
+/* All to which the corners of what the picture shows are warped at the least and the greatest
+ * depth: what is between them goes between these, since k is monotonous. */
 static Window find_reach(const Planar *made, const PlanarEye *eye)
 {
     const DepthPlane *plane = &made->image->plane;
@@ -193,7 +193,8 @@ static void corner_of(const DepthPlane *plane, const PlanarEye *eye, const Windo
     vector_add_scaled(point, corner & 2 ? window->high[1] : window->low[1], plane->up, point);
 }
 
-/* As many pixels as the view has where the window is nearest. returns false: nothing of it is seen */
+/* As many pixels as the view has where the window is nearest. returns false: nothing of it is
+ * seen */
 static bool find_window(const Planar *made, const PlanarEye *eye, const WarpView *view,
                         Window *window)
 {
@@ -224,7 +225,7 @@ static bool find_window(const Planar *made, const PlanarEye *eye, const WarpView
     return true;
 }
 
-/* --- a frame ---------------------------------------------------------------------------------------- */
+/* --- a frame ---------------------------------------------------------------------------------- */
 
 /* k of depths from the first of the range to the last. */
 static GpSurface *make_table(const PlanarEye *eye, const double range[2], uint32_t entries,

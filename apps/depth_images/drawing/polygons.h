@@ -13,7 +13,8 @@ typedef struct Polygons {
     double waves; /* above 0: colours are 0.5 + 0.5 sin(waves * place) instead, and not lit */
 } Polygons;
 
-/* Appends a pass that draws the triangles, both of whose sides are seen, over what the target holds.
+/* Appends a pass that draws the triangles, both of whose sides are seen, over what the target
+ * holds.
  * errors GP_ERROR_MEMORY */
 GpResult polygons_add(const Polygons *polygons, const WarpView *view, const WarpTarget *target,
                       Frame *frame, GpError *error);

@@ -135,7 +135,7 @@ GpResult shares_find(const DepthModel *model, uint32_t image, uint8_t **own)
     return GP_OK;
 }
 
-/* --- sums -------------------------------------------------------------------------------------- */
+/* --- sums ------------------------------------------------------------------------------------- */
 
 /* Whether an image has something of its own within a step of a point. */
 static bool has_own(const DepthImage *image, const uint8_t *own, int64_t x, int64_t y, int64_t step)

@@ -20,7 +20,7 @@ enum {
 static const double usual_tolerance = 0.25, usual_cut = 4;
 static const float depth_slope = 2; /* of shadow maps: their texels' neighbours are read too */
 
-/* --- levels ------------------------------------------------------------------------------------ */
+/* --- levels ----------------------------------------------------------------------------------- */
 
 static GpResult make_vertices(const SurfaceGrid *grid, SurfaceLevel *level, GpError *error)
 {
@@ -126,7 +126,7 @@ void surface_close(DepthSurface *surface)
     *surface = (DepthSurface){ .level_count = 0 };
 }
 
-/* --- what a view sees -------------------------------------------------------------------------- */
+/* --- what a view sees ------------------------------------------------------------------------- */
 
 uint32_t surface_step(const DepthSurface *surface, const WarpView *view)
 {
@@ -143,7 +143,7 @@ static const SurfaceLevel *level_for(const DepthSurface *surface, const SurfaceS
     return level;
 }
 
-/* --- draws ------------------------------------------------------------------------------------- */
+/* --- draws ------------------------------------------------------------------------------------ */
 
 /* What all draws of a surface have. */
 typedef struct SurfaceDraws {
@@ -166,8 +166,8 @@ static void draw_patches(SurfaceDraws *draws, uint32_t first, uint32_t end)
     draws->triangles += geometry.index_count / 3;
 }
 
-/* Neighbours that may be seen are one draw, with what lies between them where that is less than to prepare
- * another. */
+/* Neighbours that may be seen are one draw, with what lies between them where that is less than to
+ * prepare another. */
 static void draw_seen(SurfaceDraws *draws, const WarpView *view, bool both_sides)
 {
     const MergedMesh *mesh = &draws->level->mesh;
@@ -219,7 +219,8 @@ static SurfaceUniforms uniforms_of(const SurfaceSetting *setting, const WarpView
     return uniforms;
 }
 
-/* A level that holds for all of the draw leaves pixels without neighbours to be shaded for its sake. */
+/* A level that holds for all of the draw leaves pixels without neighbours to be shaded for its
+ * sake. */
 static GpSampler sampler_of(const DepthSurface *surface, const SurfaceSetting *setting,
                             const WarpView *view, const SurfaceLevel *level)
 {

@@ -1,8 +1,9 @@
-/* Depth images drawn straight: as surfaces in the world, of as few triangles as stand for them, with
- * colours and normals of their textures at each pixel, under the depth test. Planes and cylinders alike.
+/* Depth images drawn straight: as surfaces in the world, of as few triangles as stand for them,
+ * with colours and normals of their textures at each pixel, under the depth test. Planes and
+ * cylinders alike.
  *
- * source ours; the paper's warping within a plane does with two dimensions and an order of drawing what
- *        a machine with a depth test does as quickly with three
+ * source ours; the paper's warping within a plane does with two dimensions and an order of drawing
+ *        what a machine with a depth test does as quickly with three
  */
 #ifndef APPS_DEPTH_IMAGES_DRAWING_SURFACE_H
 #define APPS_DEPTH_IMAGES_DRAWING_SURFACE_H
@@ -20,8 +21,8 @@ typedef struct SurfaceDetail {
     /* Neighbours whose depths differ by more than so many times their distance are not one surface,
      * where that is a jump and no slope; 0: 4; below 0: all are */
     double cut;
-    /* [height][width]: 1: pixels that are to be drawn, triangles with none of them are left out. NULL: all
-     * are. Borrowed while it is opened */
+    /* [height][width]: 1: pixels that are to be drawn, triangles with none of them are left out.
+     * NULL: all are. Borrowed while it is opened */
     const uint8_t *own;
 } SurfaceDetail;
 
@@ -56,8 +57,9 @@ typedef struct SurfaceShadow {
 typedef struct SurfaceSetting {
     uint32_t step;   /* of columns and rows, a power of two; 0: as surface_step has it */
     bool both_sides; /* insides are drawn too; else what turns away is left out */
-    /* For images that are small in the picture: everywhere the level of textures that belongs to the
-     * footprint, and the way to the eye as it is in the middle. Their light is from without end */
+    /* For images that are small in the picture: everywhere the level of textures that belongs to
+     * the footprint, and the way to the eye as it is in the middle. Their light is from without
+     * end */
     bool is_distant;
     const SurfaceShadow *shadow; /* of the view's light; NULL: none. Borrowed */
     const char *name;            /* of the pass, borrowed; NULL: "surface" */
@@ -77,8 +79,8 @@ uint32_t surface_step(const DepthSurface *surface, const WarpView *view);
 GpResult surface_add(const DepthSurface *surface, const SurfaceSetting *setting,
                      const WarpView *view, const WarpTarget *target, Frame *frame, GpError *error);
 
-/* Its draws alone, into the frame's last pass; with depth test where `has_depth`. What is outside the view
- * is left out. returns triangles that are drawn */
+/* Its draws alone, into the frame's last pass; with depth test where `has_depth`. What is outside
+ * the view is left out. returns triangles that are drawn */
 uint32_t surface_draw(const DepthSurface *surface, const SurfaceSetting *setting,
                       const WarpView *view, bool has_depth, Frame *frame);
 

@@ -10,7 +10,7 @@ static const double two_pi = 0x1.921fb54442d18p+2;
 static const double jump = 3;    /* as large beside its neighbours' is none of a slope */
 static const double along = 0.5; /* cosine to a normal, of ways within the surface */
 
-/* --- where columns and rows are ---------------------------------------------------------------- */
+/* --- where columns and rows are --------------------------------------------------------------- */
 
 static uint32_t column_of(const SurfaceGrid *grid, uint32_t x)
 {
@@ -38,7 +38,7 @@ void surface_grid_texcoord(const SurfaceGrid *grid, uint32_t point, float texcoo
     texcoord[1] = (float)((row_of(grid, y) + 0.5) / pixels->height);
 }
 
-/* --- cuts -------------------------------------------------------------------------------------- */
+/* --- cuts ------------------------------------------------------------------------------------- */
 
 /* From pixel to pixel at a depth, across and down. */
 static void spacing_at(const DepthImage *image, double depth, double spacing[2])
@@ -113,7 +113,7 @@ static void find_cuts(SurfaceGrid *grid, double cut)
                           (is_cut(grid, x, y, false, cut) ? MERGE_CUT_DOWN : 0));
 }
 
-/* --- points ------------------------------------------------------------------------------------ */
+/* --- points ----------------------------------------------------------------------------------- */
 
 static void find_point(const DepthImage *image, uint32_t column, uint32_t row, float position[3])
 {
@@ -183,7 +183,7 @@ double surface_grid_pixel(const DepthImage *image)
     return sqrt(spacing[0] * spacing[1]);
 }
 
-/* --- normals ----------------------------------------------------------------------------------- */
+/* --- normals ---------------------------------------------------------------------------------- */
 
 /* The way between the neighbours of a point, or from it to one of them, that are of its surface. */
 static void way_along(const SurfaceGrid *grid, uint32_t x, uint32_t y, bool across, double way[3])

@@ -4,8 +4,8 @@
 
 #include "apps/depth_images/depth_image.h"
 
-/* Every step'th column and row, the last row too; of a cylinder behind the last column the first again.
- * Owned by whoever made it, until surface_grid_close. */
+/* Every step'th column and row, the last row too; of a cylinder behind the last column the first
+ * again. Owned by whoever made it, until surface_grid_close. */
 typedef struct SurfaceGrid {
     const DepthImage *image; /* borrowed */
     uint32_t step, columns, rows;
@@ -15,10 +15,10 @@ typedef struct SurfaceGrid {
     uint8_t *cut;         /* [rows][columns]: as of merge.h */
 } SurfaceGrid;
 
-/* in     normals: [height][width][3] of the image; NULL: there are none, and they are 0
- *        cut: neighbours whose depths differ by more than so many times their distance are one
- *        surface only where that is no jump, three times as steep as on either side, and where the way
- *        from one to the other goes along the surface at both ends, as far as normals tell. Below 0: all
+/* in     normals: [height][width][3] of the image; NULL: there are none, and they are 0 cut:
+ *        neighbours whose depths differ by more than so many times their distance are one surface
+ *        only where that is no jump, three times as steep as on either side, and where the way from
+ *        one to the other goes along the surface at both ends, as far as normals tell. Below 0: all
  *        are
  * errors GP_ERROR_MEMORY */
 GpResult surface_grid_open(const DepthImage *image, const float *normals, uint32_t step, double cut,

@@ -23,7 +23,8 @@ static bool halve(const Weighted *from, Weighted *to)
     return to->texel != NULL;
 }
 
-/* Where a texel has no weight, it takes the mean of the square of the next level that it is part of. */
+/* Where a texel has no weight, it takes the mean of the square of the next level that it is part
+ * of. */
 static void fill(const Weighted *from, Weighted *to)
 {
     for (uint32_t y = 0; y < to->height; y++)
@@ -36,7 +37,8 @@ static void fill(const Weighted *from, Weighted *to)
         }
 }
 
-/* source the pull and push of Gortler, Grzeszczuk, Szeliski, Cohen, "The lumigraph", SIGGRAPH 1996 */
+/* source the pull and push of Gortler, Grzeszczuk, Szeliski, Cohen, "The lumigraph", SIGGRAPH
+ *      1996 */
 static bool spread(Weighted levels[MOST_LEVELS])
 {
     int count = 1;

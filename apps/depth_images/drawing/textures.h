@@ -5,9 +5,9 @@
 #include "apps/depth_images/depth_image.h"
 #include "pipeline/resources/state.h"
 
-/* Eight bits a channel, A8R8G8B8, opaque, as files of pictures have. Pixels that show nothing have the colours
- * and normals of those around them, so that filters take in nothing else. Component n of a normal is
- * (n + 1) / 2.
+/* Eight bits a channel, A8R8G8B8, opaque, as files of pictures have. Pixels that show nothing have
+ * the colours and normals of those around them, so that filters take in nothing else. Component n
+ * of a normal is (n + 1) / 2.
  * in   levels: GP_MAX_LEVELS: all; normals: [height][width][3]
  * errors GP_ERROR_MEMORY; GP_ERROR_INVALID: larger than textures may be
  * owns   the caller, until gp_surface_destroy */

@@ -19,8 +19,8 @@ typedef struct WarpView {
     const WarpLight *light; /* per pixel, Phong, from colours and normals; NULL: none. Borrowed */
 } WarpView;
 
-/* Where an image is drawn, over what is there. Pixels that it covers become its colour with alpha 1,
- * where its depth is less; depth is that of the view's camera, as a mesh would write it. */
+/* Where an image is drawn, over what is there. Pixels that it covers become its colour with alpha
+ * 1, where its depth is less; depth is that of the view's camera, as a mesh would write it. */
 typedef struct WarpTarget {
     GpSurface *color;
     /* D32F; NULL: images are drawn over each other, in the order of their calls */

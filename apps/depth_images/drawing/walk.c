@@ -22,7 +22,7 @@ static const WarpLight sun = { .position = { 0.48, 0.8, 0.36 },
                                .color = { 0.85f, 0.82f, 0.75f },
                                .ambient = { 0.22f, 0.25f, 0.3f } };
 
-/* --- a field ----------------------------------------------------------------------------------- */
+/* --- a field ---------------------------------------------------------------------------------- */
 
 /* Knuth's linear congruential numbers, 0 to 1. */
 static double next_random(uint64_t *seed)
@@ -166,7 +166,7 @@ Camera walk_camera(const Walk *walk, double share)
     return camera;
 }
 
-/* --- views of objects -------------------------------------------------------------------------- */
+/* --- views of objects ------------------------------------------------------------------------- */
 
 /* A direction of the world in an object's own space. */
 static void turn_back(const WalkObject *object, const double world[3], double own[3])
@@ -220,7 +220,7 @@ static void object_matrix(const Walk *walk, const WalkObject *object, double mat
     }
 }
 
-/* --- shadows ----------------------------------------------------------------------------------- */
+/* --- shadows ---------------------------------------------------------------------------------- */
 
 /* All of the field, from the sun. */
 static WarpView sun_view(const Walk *walk, uint32_t map)
@@ -285,7 +285,7 @@ static uint32_t draw_map(const Walk *walk, const WarpView *view, const ViewPlane
     return triangles;
 }
 
-/* --- the picture ------------------------------------------------------------------------------- */
+/* --- the picture ------------------------------------------------------------------------------ */
 
 typedef struct Ordered {
     double away;
@@ -313,8 +313,9 @@ static Ordered *order_objects(const Walk *walk, const Camera *camera, Frame *fra
     return order;
 }
 
-/* The power of two above the footprint, instead of the nearest: vertices are one to two pixels apart. Silhouettes
- * decide how far a picture is off, so a third fewer triangles lose but 0.4 dB. */
+/* The power of two above the footprint, instead of the nearest: vertices are one to two pixels
+ * apart. Silhouettes decide how far a picture is off, so a third fewer triangles lose but 0.4
+ * dB. */
 static uint32_t step_of(const DepthSurface *surface, const WarpView *view)
 {
     WarpView smaller = *view;

@@ -1,5 +1,5 @@
-/* A walk among depth images: a field of objects on the ground, each one of a few models at a place and a
- * size of its own, under a light with a shadow map that is drawn anew for each frame.
+/* A walk among depth images: a field of objects on the ground, each one of a few models at a place
+ * and a size of its own, under a light with a shadow map that is drawn anew for each frame.
  *
  * source paper 001, section 4 (walk-through); how a field is laid out: ours
  */
@@ -54,8 +54,8 @@ GpResult walk_open(const DepthModel *models, uint32_t model_count, uint32_t obje
                    Walk *walk, GpError *error);
 void walk_close(Walk *walk);
 
-/* The camera of a closed path, at a share 0..1 of it: among the objects at 0, and above all of them half
- * way. */
+/* The camera of a closed path, at a share 0..1 of it: among the objects at 0, and above all of them
+ * half way. */
 Camera walk_camera(const Walk *walk, double share);
 
 /* Appends the passes "map" and "walk", and makes frame->color (A8R8G8B8) and frame->depth.

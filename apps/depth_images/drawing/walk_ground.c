@@ -9,11 +9,11 @@ enum { ROUND = 16 }; /* corners about an ellipse */
 
 static const double grass_size = 3; /* of the ground's texture */
 
-/* Shadows lie on the rest of the ground, which is so much deeper, and pixels of its slope. Nothing stands
- * there: about every object is its shadow. */
+/* Shadows lie on the rest of the ground, which is so much deeper, and pixels of its slope. Nothing
+ * stands there: about every object is its shadow. */
 static const float deeper = 1e-6f, deeper_slope = 0.25f;
 
-/* --- shadows ----------------------------------------------------------------------------------- */
+/* --- shadows ---------------------------------------------------------------------------------- */
 
 WalkShadow walk_shadow(const WalkObject *object, const WarpLight *sun, double more)
 {
@@ -70,7 +70,7 @@ static uint32_t find_shadows(const Walk *walk, const WarpView *view, const WalkG
     return count;
 }
 
-/* --- draws ------------------------------------------------------------------------------------- */
+/* --- draws ------------------------------------------------------------------------------------ */
 
 static GroundUniforms uniforms_of(const WarpView *view, const WalkGround *ground)
 {
@@ -89,7 +89,8 @@ static GroundUniforms uniforms_of(const WarpView *view, const WalkGround *ground
 static GpDraw *draw_part(const Walk *walk, const GpProgram *program, const void *uniforms,
                          const float (*corners)[2], GpGeometry geometry, Frame *frame)
 {
-    /* one level: between two of such an even texture no seam is seen, and most of a picture is ground */
+    /* one level: between two of such an even texture no seam is seen, and most of a picture is
+     * ground */
     const GpSampler repeated = { .min = GP_LINEAR, .mag = GP_LINEAR, .mip = GP_MIP_POINT };
     geometry.streams[GP_POSITION] = (GpStream){ corners[0], sizeof *corners, 2, GP_FLOAT32 };
     GpDraw *draw = frame_draw(frame, program, uniforms, &geometry);

@@ -1,5 +1,5 @@
-/* The ground of a walk. Where no object can throw its shadow it is drawn without one, which spares most of it
- * the reading of the map, and shows the same. */
+/* The ground of a walk. Where no object can throw its shadow it is drawn without one, which spares
+ * most of it the reading of the map, and shows the same. */
 #ifndef APPS_DEPTH_IMAGES_DRAWING_WALK_GROUND_H
 #define APPS_DEPTH_IMAGES_DRAWING_WALK_GROUND_H
 

@@ -1,7 +1,7 @@
 /* Cylindrical depth images of a mesh, with their end caps.
  *
- * source Liu, Liu, Wu, "Real-time rendering depth images on GPU by forward warping", Journal of Software
- *        18(6), 2007, section 3.1
+ * source Liu, Liu, Wu, "Real-time rendering depth images on GPU by forward warping", Journal of
+ *        Software 18(6), 2007, section 3.1
  */
 #ifndef APPS_DEPTH_IMAGES_MAKING_CAPTURE_CYLINDER_H
 #define APPS_DEPTH_IMAGES_MAKING_CAPTURE_CYLINDER_H
@@ -36,12 +36,14 @@ typedef struct CaptureTurn {
     const void *listener;
 } CaptureTurn;
 
-/* The cylinder about a mesh, round the middle of its box along the axis that points up, a hundredth larger
- * than what it holds; azimuth 0 is in front. Thin ones are thick enough to be looked at: neither side is below a thousandth of the other. */
+/* The cylinder about a mesh, round the middle of its box along the axis that points up, a hundredth
+ * larger than what it holds; azimuth 0 is in front. Thin ones are thick enough to be looked at:
+ * neither side is below a thousandth of the other. */
 DepthCylinder capture_cylinder_about(const CaptureSource *source, OrbitUp up);
 
-/* Captures a cylinder, then the caps: parallel, from above with `zero` to the right, from below with
- * axis x zero there. A ray of the cylinder ends at its axis: what is beyond belongs to the other side.
+/* Captures a cylinder, then the caps: parallel, from above with `zero` to the right, from below
+ * with axis x zero there. A ray of the cylinder ends at its axis: what is beyond belongs to the
+ * other side.
  * out    model: three images; untouched on failure
  * errors those of capture_planar; owns: the caller, until depth_model_free */
 GpResult capture_cylinder(GpDevice *device, const CaptureSource *source, const CaptureTurn *turn,

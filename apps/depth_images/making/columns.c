@@ -26,8 +26,8 @@ static double cross(const Around *a, const Around *b)
     return a->place[0] * b->place[1] - a->place[1] * b->place[0];
 }
 
-/* How near to the axis a triangle comes, seen along it: 0 where the axis goes through it, or where its
- * corners lie in one plane with the axis. */
+/* How near to the axis a triangle comes, seen along it: 0 where the axis goes through it, or where
+ * its corners lie in one plane with the axis. */
 static double distance_of(const Around *const corner[3])
 {
     double nearest = HUGE_VAL;
@@ -47,8 +47,8 @@ static double distance_of(const Around *const corner[3])
     return left == 3 || right == 3 ? 0 : nearest;
 }
 
-/* The corners' turns without the largest gap between them, which is more than half a turn where the axis
- * is not in the triangle. */
+/* The corners' turns without the largest gap between them, which is more than half a turn where the
+ * axis is not in the triangle. */
 static void arc_of(const Around *const corner[3], double *first, double *length)
 {
     double gap = -1;
@@ -74,7 +74,8 @@ static ColumnRange range_of(const Around *const corner[3], double radius, uint32
     const double wall = 2 * 3.14159265358979323846 * radius / columns; /* width of a column there */
     if (!(near * 2 > wall / 256))
         return all;
-    /* A corner moves by at most wall / 512 in a column's picture, which turns it by so many columns. */
+    /* A corner moves by at most wall / 512 in a column's picture, which turns it by so many
+     * columns. */
     const double room = 1 + radius / near / 128;
     double first = 0, length = 0;
     arc_of(corner, &first, &length);

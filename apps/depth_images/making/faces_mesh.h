@@ -4,11 +4,13 @@
 
 #include "apps/depth_images/capture.h"
 
-/* A vertex for each pixel that shows something, and triangles between neighbours that are one surface:
- * whose depths differ by less than twice their distance, since what is steeper faces another side.
+/* A vertex for each pixel that shows something, and triangles between neighbours that are one
+ * surface: whose depths differ by less than twice their distance, since what is steeper faces
+ * another side.
  * in     side: as capture_box has it
  * out    mesh: with normals and colours, indices at least one triangle's
- * errors those of capture_box; GP_ERROR_INVALID: nothing is seen; owns: the caller, until gp_mesh_free */
+ * errors those of capture_box; GP_ERROR_INVALID: nothing is seen; owns: the caller, until
+ *        gp_mesh_free */
 GpResult faces_mesh(GpDevice *device, const CaptureSource *source, uint32_t side, GpMesh *mesh,
                     GpError *error);
 

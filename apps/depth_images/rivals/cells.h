@@ -5,7 +5,8 @@
 #include "apps/depth_images/rivals/slab.h"
 #include "shaders_c/warp/cells.h"
 
-/* The cells that a box is on. A zeroed one is empty. Owned by whoever made it, until depth_cells_close. */
+/* The cells that a box is on. A zeroed one is empty. Owned by whoever made it, until
+ * depth_cells_close. */
 typedef struct DepthCells {
     float first[2], side[2]; /* of the box, in texels */
     GpSurface *z;
@@ -16,8 +17,9 @@ GpResult depth_cells_open(const DepthSlab *slab, const DepthPixels *pixels, Dept
                           GpError *error);
 void depth_cells_close(DepthCells *cells);
 
-/* in     thickness: of the surface, as a share of the depths of the image: how far behind its edges rays
- *        still meet it; 0: 0.1; below 0: all the way, as walls that hang to the farthest depth */
+/* in     thickness: of the surface, as a share of the depths of the image: how far behind its edges
+ *        rays still meet it; 0: 0.1; below 0: all the way, as walls that hang to the farthest
+ *        depth */
 CellUniforms depth_cells_uniforms(const DepthCells *cells, double thickness);
 
 /* Sets slot 0 of a draw. */

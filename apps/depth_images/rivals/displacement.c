@@ -9,11 +9,11 @@ enum { SIZE = 128, LEAST_SIZE = 8, MOST_SIZE = 512, STEPS = 64, MOST_STEPS = 255
 
 /* Codes of distances go so many samples far, so that they are fine near the surface. */
 static const double reach_samples = 64;
-/* The field leads so near to the surface: it is known at samples only, and where pixels are many to a
- * sample, of the nearest of them. */
+/* The field leads so near to the surface: it is known at samples only, and where pixels are many to
+ * a sample, of the nearest of them. */
 static const double near_samples = 0.75;
 
-/* --- the field ----------------------------------------------------------------------------------- */
+/* --- the field -------------------------------------------------------------------------------- */
 
 /* Sides of the box, and samples along them. */
 static void find_sizes(uint32_t longest, Displacement *made)
@@ -76,7 +76,7 @@ static GpResult make_field(const DepthPixels *pixels, Displacement *made, GpErro
     return result;
 }
 
-/* --- drawing ------------------------------------------------------------------------------------- */
+/* --- drawing ---------------------------------------------------------------------------------- */
 
 GpResult displacement_open_sized(const DepthImage *image, const DisplacementField *field,
                                  Displacement *displacement, GpError *error)

@@ -1,5 +1,5 @@
-/* Per-pixel displacement of planar depth images: shaders_c/warp/displacement.h over all pixels that the box
- * of their depths is on. */
+/* Per-pixel displacement of planar depth images: shaders_c/warp/displacement.h over all pixels that
+ * the box of their depths is on. */
 #ifndef APPS_DEPTH_IMAGES_RIVALS_DISPLACEMENT_H
 #define APPS_DEPTH_IMAGES_RIVALS_DISPLACEMENT_H
 
@@ -31,7 +31,8 @@ typedef struct Displacement {
 } Displacement;
 
 /* in     field: NULL: all zero
- * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder, or as large as textures may be at most */
+ * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder, or as large as textures may be at
+ *        most */
 GpResult displacement_open_sized(const DepthImage *image, const DisplacementField *field,
                                  Displacement *displacement, GpError *error);
 GpResult displacement_open(const DepthImage *image, Displacement *displacement, GpError *error);

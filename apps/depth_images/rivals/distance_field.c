@@ -48,7 +48,8 @@ static double square_of(double a)
     return a * a;
 }
 
-/* Squares of distances from a slice's samples to the columns: first up and down, then along x and y.
+/* Squares of distances from a slice's samples to the columns: first up and down, then along x and
+ * y.
  * in/out square: [size[1]][size[0]] */
 static void find_slice(const DistanceColumns *columns, uint32_t slice, const Row *row,
                        double *square)

@@ -9,7 +9,7 @@
 
 static const double usual_cut = 0.02;
 
-/* --- triangles ----------------------------------------------------------------------------------- */
+/* --- triangles -------------------------------------------------------------------------------- */
 
 /* Whether three pixels are one surface. */
 static bool joins(const DepthImage *image, const uint32_t pixel[3], double cut)
@@ -80,7 +80,7 @@ static GpResult find_vertices(const DepthImage *image, Dmesh *dmesh)
     return has_memory ? GP_OK : GP_ERROR_MEMORY;
 }
 
-/* --- simplified ---------------------------------------------------------------------------------- */
+/* --- simplified ------------------------------------------------------------------------------- */
 
 /* Keeps of the vertices those that are left, in their order. */
 static GpResult simplify(const DmeshDetail *detail, Dmesh *dmesh, GpError *error)
@@ -108,7 +108,7 @@ static GpResult simplify(const DmeshDetail *detail, Dmesh *dmesh, GpError *error
     return GP_OK;
 }
 
-/* --- meshes -------------------------------------------------------------------------------------- */
+/* --- meshes ----------------------------------------------------------------------------------- */
 
 static GpResult make_mesh(const DepthImage *image, const DmeshDetail *detail, Dmesh *dmesh,
                           GpError *error)

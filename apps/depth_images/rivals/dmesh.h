@@ -1,9 +1,10 @@
-/* Planar depth images as meshes in the world: a triangle for every three pixels side by side, moved by one
- * matrix, under the depth test; or the same simplified. Colours and normals are fetched at each pixel.
+/* Planar depth images as meshes in the world: a triangle for every three pixels side by side, moved
+ * by one matrix, under the depth test; or the same simplified. Colours and normals are fetched at
+ * each pixel.
  *
- * source Pajarola, Sainz, Meng, "DMesh: fast depth-image meshing and warping", International Journal of
- *        Image and Graphics 4(4), 2004. DEVIATES: its adaptive mesh is restricted quadtrees; here OpenMesh
- *        collapses edges
+ * source Pajarola, Sainz, Meng, "DMesh: fast depth-image meshing and warping", International
+ *        Journal of Image and Graphics 4(4), 2004. DEVIATES: its adaptive mesh is restricted
+ *        quadtrees; here OpenMesh collapses edges
  */
 #ifndef APPS_DEPTH_IMAGES_RIVALS_DMESH_H
 #define APPS_DEPTH_IMAGES_RIVALS_DMESH_H
@@ -35,7 +36,8 @@ typedef struct DmeshSetting {
 } DmeshSetting;
 
 /* in     detail: NULL: all zero
- * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder; simplified, and OpenMesh is not there */
+ * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder; simplified, and OpenMesh is not
+ *        there */
 GpResult dmesh_open_detailed(const DepthImage *image, const DmeshDetail *detail, Dmesh *dmesh,
                              GpError *error);
 GpResult dmesh_open(const DepthImage *image, Dmesh *dmesh, GpError *error);

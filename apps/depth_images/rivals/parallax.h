@@ -1,5 +1,5 @@
-/* Bump and parallax mapping of planar depth images on a rectangle: shaders_c/warp/parallax.h. They move no
- * outline, and their depth is that of the rectangle. */
+/* Bump and parallax mapping of planar depth images on a rectangle: shaders_c/warp/parallax.h. They
+ * move no outline, and their depth is that of the rectangle. */
 #ifndef APPS_DEPTH_IMAGES_RIVALS_PARALLAX_H
 #define APPS_DEPTH_IMAGES_RIVALS_PARALLAX_H
 
@@ -25,7 +25,8 @@ typedef struct Parallax {
     DepthTextures textures;
 } Parallax;
 
-/* errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder, or as large as textures may be at most */
+/* errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder, or as large as textures may be at
+ *      most */
 GpResult parallax_open(const DepthImage *image, Parallax *parallax, GpError *error);
 void parallax_close(Parallax *parallax);
 

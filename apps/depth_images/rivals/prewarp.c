@@ -8,7 +8,7 @@ typedef struct Moved {
     bool is_there;
 } Moved;
 
-/* --- where pixels go ---------------------------------------------------------------------------- */
+/* --- where pixels go -------------------------------------------------------------------------- */
 
 /* On the line through the eye, if that is before it. */
 static bool project(const PrewarpInput *input, const double from[3], double w, double to[2])
@@ -76,7 +76,7 @@ static void find_rectangle(const PrewarpInput *input, const Moved *moved, Prewar
     }
 }
 
-/* --- lines --------------------------------------------------------------------------------------- */
+/* --- lines ------------------------------------------------------------------------------------ */
 
 /* Texels in a row or a column, and how places of the plane become theirs. */
 typedef struct Line {
@@ -140,7 +140,8 @@ static void fill_between(const Line *line, const Moved *a, const Moved *b)
     }
 }
 
-/* Moves `count` neighbours along a line; one that has none that it joins is put where it is nearest. */
+/* Moves `count` neighbours along a line; one that has none that it joins is put where it is
+ * nearest. */
 static void warp_line(const Line *line, const Moved *moved, uint32_t count, size_t stride)
 {
     bool joined = false;
@@ -155,7 +156,7 @@ static void warp_line(const Line *line, const Moved *moved, uint32_t count, size
     }
 }
 
-/* --- both passes ---------------------------------------------------------------------------------- */
+/* --- both passes ------------------------------------------------------------------------------ */
 
 static void warp(const PrewarpInput *input, const Moved *moved, Moved *rows, Moved *columns,
                  const Prewarped *made)

@@ -1,9 +1,9 @@
-/* The first step of relief texture mapping: a depth image as it has to be on a plane of its box so that an
- * eye sees it right; in plain C, row by row and then column by column.
+/* The first step of relief texture mapping: a depth image as it has to be on a plane of its box so
+ * that an eye sees it right; in plain C, row by row and then column by column.
  * source Oliveira, Bishop, McAllister, "Relief texture mapping", SIGGRAPH 2000, sections 3 and 4.
- *        DEVIATES: texels have the places that they show, not their colours; of several that fall on one
- *        texel the nearest is kept, whatever their order; gaps between pixels of different surfaces are
- *        not filled */
+ *        DEVIATES: texels have the places that they show, not their colours; of several that fall
+ *        on one texel the nearest is kept, whatever their order; gaps between pixels of different
+ *        surfaces are not filled */
 #ifndef APPS_DEPTH_IMAGES_RIVALS_PREWARP_H
 #define APPS_DEPTH_IMAGES_RIVALS_PREWARP_H
 
@@ -27,8 +27,8 @@ typedef struct PrewarpInput {
     double cut;
 } PrewarpInput;
 
-/* Texels are as large as the image's pixels, or larger where they would be more than twice as many along a
- * side.
+/* Texels are as large as the image's pixels, or larger where they would be more than twice as many
+ * along a side.
  * errors GP_ERROR_MEMORY; owns: the caller, gp_free of texel */
 GpResult prewarp_make(const PrewarpInput *input, Prewarped *made);
 

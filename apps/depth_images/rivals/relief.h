@@ -1,5 +1,5 @@
-/* Relief mapping of planar depth images: shaders_c/warp/relief.h over all pixels that the box of their
- * depths is on. */
+/* Relief mapping of planar depth images: shaders_c/warp/relief.h over all pixels that the box of
+ * their depths is on. */
 #ifndef APPS_DEPTH_IMAGES_RIVALS_RELIEF_H
 #define APPS_DEPTH_IMAGES_RIVALS_RELIEF_H
 
@@ -20,7 +20,8 @@ typedef struct Relief {
     DepthTextures textures;
 } Relief;
 
-/* errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder, or as large as textures may be at most */
+/* errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder, or as large as textures may be at
+ *      most */
 GpResult relief_open(const DepthImage *image, Relief *relief, GpError *error);
 void relief_close(Relief *relief);
 

@@ -27,8 +27,8 @@ void relief_texture_close(ReliefTexture *made)
     *made = (ReliefTexture){ .textures = { .color = NULL } };
 }
 
-/* The plane that is warped to: in the middle, or if the eye is near to that, at the end that is farther
- * from it. returns false: the eye looks along it */
+/* The plane that is warped to: in the middle, or if the eye is near to that, at the end that is
+ * farther from it. returns false: the eye looks along it */
 static bool choose_plane(const DepthSlab *slab, const double eye[4], bool is_parallel,
                          double *plane)
 {

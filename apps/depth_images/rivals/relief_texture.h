@@ -1,5 +1,5 @@
-/* Relief texture mapping of planar depth images: a texture is warped by the processor for each frame, and
- * drawn on a rectangle. */
+/* Relief texture mapping of planar depth images: a texture is warped by the processor for each
+ * frame, and drawn on a rectangle. */
 #ifndef APPS_DEPTH_IMAGES_RIVALS_RELIEF_TEXTURE_H
 #define APPS_DEPTH_IMAGES_RIVALS_RELIEF_TEXTURE_H
 
@@ -11,14 +11,16 @@ typedef struct ReliefTextureSetting {
     const char *name; /* of the pass, borrowed; NULL: "relief_texture" */
 } ReliefTextureSetting;
 
-/* A zeroed one is empty, and draws nothing. Owned by whoever made it, until relief_texture_close. */
+/* A zeroed one is empty, and draws nothing. Owned by whoever made it, until
+ * relief_texture_close. */
 typedef struct ReliefTexture {
     DepthSlab slab;
     DepthPixels pixels; /* borrowed from the image, which stays */
     DepthTextures textures;
 } ReliefTexture;
 
-/* errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder, or as large as textures may be at most */
+/* errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a cylinder, or as large as textures may be at
+ *      most */
 GpResult relief_texture_open(const DepthImage *image, ReliefTexture *made, GpError *error);
 void relief_texture_close(ReliefTexture *made);
 

@@ -8,7 +8,7 @@
 
 static const double usual_cut = 4; /* of normals that are found: as surfaces have it */
 
-/* --- the box ------------------------------------------------------------------------------------ */
+/* --- the box ---------------------------------------------------------------------------------- */
 
 static bool shows(bool is_parallel, float depth)
 {
@@ -124,7 +124,7 @@ GpResult slab_check(const DepthImage *image, const char *method, GpError *error)
     return GP_OK;
 }
 
-/* --- rays ---------------------------------------------------------------------------------------- */
+/* --- rays ------------------------------------------------------------------------------------- */
 
 /* As the programs take it: place in clip space, the ray in the box, the ray in the world. */
 typedef struct RayCorner {
@@ -194,7 +194,7 @@ bool slab_rays(const DepthSlab *slab, const WarpView *view, Frame *frame, SlabRa
     return true;
 }
 
-/* --- what methods share ------------------------------------------------------------------------- */
+/* --- what methods share ----------------------------------------------------------------------- */
 
 SlabUniforms slab_uniforms(const DepthSlab *slab, const WarpView *view)
 {

@@ -1,11 +1,12 @@
-/* The space between a planar depth image's nearest and farthest depths, made a box: what methods that
- * look along the view's rays walk through.
+/* The space between a planar depth image's nearest and farthest depths, made a box: what methods
+ * that look along the view's rays walk through.
  *
- * Its x and y are places in the picture, from the left and from the top, and its z is the depth; all go
- * from 0 to 1. Where rays meet in an eye z is linear in 1 / depth: then straight lines of the world stay
- * straight in the box, planes stay planes, and neither needs a division at each step.
- * source Policarpo, Oliveira, Comba, "Real-time relief mapping on arbitrary polygonal surfaces", I3D
- *        2005, for images as boxes; perspective ones: ours
+ * Its x and y are places in the picture, from the left and from the top, and its z is the depth;
+ * all go from 0 to 1. Where rays meet in an eye z is linear in 1 / depth: then straight lines of
+ * the world stay straight in the box, planes stay planes, and neither needs a division at each
+ * step.
+ * source Policarpo, Oliveira, Comba, "Real-time relief mapping on arbitrary polygonal surfaces",
+ *        I3D 2005, for images as boxes; perspective ones: ours
  */
 #ifndef APPS_DEPTH_IMAGES_RIVALS_SLAB_H
 #define APPS_DEPTH_IMAGES_RIVALS_SLAB_H
@@ -22,7 +23,8 @@ typedef struct DepthSlab {
     double low, high;     /* depths at z = 0 and 1; all of the image's are between */
     double matrix[4][4];  /* from the world: x w, y w, z w, w; w is above 0 before the eye */
     double corners[8][3]; /* of the box in the world; bits of the number: x, y, z */
-    /* of the box on the picture, which goes from 0 to 1: pixels that show something, and one around */
+    /* of the box on the picture, which goes from 0 to 1: pixels that show something, and one
+     * around */
     double first[2], side[2];
 } DepthSlab;
 
@@ -45,7 +47,8 @@ typedef struct SlabRays {
 GpResult slab_check(const DepthImage *image, const char *method, GpError *error);
 
 /* in     frame: owns the corners
- * returns false: nothing is to be seen of the box, or there is no memory, of which the frame knows */
+ * returns false: nothing is to be seen of the box, or there is no memory, of which the frame
+ *        knows */
 bool slab_rays(const DepthSlab *slab, const WarpView *view, Frame *frame, SlabRays *rays);
 
 /* The part of a method's uniforms that all have; `depth` is for rays alone, which slab_rays has. */

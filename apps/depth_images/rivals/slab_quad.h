@@ -14,7 +14,8 @@ bool slab_quad(const DepthSlab *slab, double z, const double first[2], const dou
 /* A camera's eye in the box, homogeneous; of parallel views the direction towards it. */
 void slab_eye(const DepthSlab *slab, const Camera *camera, double eye[4]);
 
-/* Lengths of the box's sides in the world: of perspective images, whose box is wider at its end, the mean. */
+/* Lengths of the box's sides in the world: of perspective images, whose box is wider at its end,
+ * the mean. */
 void slab_metric(const DepthSlab *slab, double metric[3]);
 
 #endif

@@ -157,8 +157,8 @@ static uint32_t copy_vertex(Levels *levels, uint32_t vertex, Vertex *copied, uin
     return levels->number[vertex];
 }
 
-/* The mesh's faces of a list, those of pieces that are turned over turned. Their vertices are copied, since
- * draws shade all between the least and the greatest of their indices. */
+/* The mesh's faces of a list, those of pieces that are turned over turned. Their vertices are
+ * copied, since draws shade all between the least and the greatest of their indices. */
 static GpGeometry faces_geometry(Levels *levels, const uint32_t *faces, uint32_t count)
 {
     Frame *frame = levels->passes.frame;

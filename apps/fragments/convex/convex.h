@@ -1,15 +1,17 @@
 /* Convex pieces, front to back: all fragments in one reading of the mesh.
  *
- * A level of the order (order/order.h) is drawn at once: its near faces into one target, its far faces into
- * another, both by MAX onto 0; then both go under what is there, where the level has anything. Each face is
- * drawn once. Faces in knots have a pass of their own, in which the machine sorts.
+ * A level of the order (order/order.h) is drawn at once: its near faces into one target, its far
+ * faces into another, both by MAX onto 0; then both go under what is there, where the level has
+ * anything. Each face is drawn once. Faces in knots have a pass of their own, in which the machine
+ * sorts.
  *
  * source paper 002, section 4
- * DEVIATES: the paper draws piece after piece; here all pieces of a level are, which share no pixel. Knots
- *        are sorted by the machine (GP_ORDER_DEPTH_NEAR_FIRST), however many layers they have. Slabs of
- *        orders by a grid are sorted by the stencil-routed k-buffer as printed, but its 4 layers are surfaces,
- *        drawn one by one, since the machine's pixels have no samples. For translucency it keeps depths in the
- *        targets, and here what follows from them. */
+ * DEVIATES: the paper draws piece after piece; here all pieces of a level are, which share no
+ *        pixel. Knots are sorted by the machine (GP_ORDER_DEPTH_NEAR_FIRST), however many layers
+ *        they have. Slabs of orders by a grid are sorted by the stencil-routed k-buffer as printed,
+ *        but its 4 layers are surfaces, drawn one by one, since the machine's pixels have no
+ *        samples. For translucency it keeps depths in the targets, and here what follows from
+ *        them. */
 #ifndef APPS_FRAGMENTS_CONVEX_CONVEX_H
 #define APPS_FRAGMENTS_CONVEX_CONVEX_H
 
@@ -39,7 +41,8 @@ typedef struct ConvexSetting {
 } ConvexSetting;
 
 /* Makes a mesh's pieces, and what parts them, or reads them.
- * out    fault: why the cache was of no use, or could not be written; empty: it was not, or there was none
+ * out    fault: why the cache was of no use, or could not be written; empty: it was not, or there
+ *        was none
  * errors those of pieces_make and partings_make; owns: the caller, until convex_close */
 GpResult convex_open(const FragmentMesh *mesh, const ConvexSetting *setting, ConvexModel *model,
                      GpError *fault, GpError *error);

@@ -1,5 +1,7 @@
-/* Bucket peeling: fragments go into buckets by their depths. Two in one bucket collide, and one is lost.
- * source Liu, Huang, Liu and Wu, "Efficient depth peeling via bucket sort", High Performance Graphics 2009 */
+/* Bucket peeling: fragments go into buckets by their depths. Two in one bucket collide, and one is
+ * lost.
+ * source Liu, Huang, Liu and Wu, "Efficient depth peeling via bucket sort", High Performance
+ *      Graphics 2009 */
 #ifndef APPS_FRAGMENTS_DRAWING_BUCKETS_H
 #define APPS_FRAGMENTS_DRAWING_BUCKETS_H
 

@@ -9,8 +9,8 @@ typedef struct FragmentCount {
     uint32_t layers;    /* of the pixel that has most */
 } FragmentCount;
 
-/* Draws them on a device, and counts. Those that peel, or keep lists, would ask hardware after each pass
- * whether anything is left; here they are told before.
+/* Draws them on a device, and counts. Those that peel, or keep lists, would ask hardware after each
+ * pass whether anything is left; here they are told before.
  * in   depth: as a method is given it
  * errors GP_ERROR_MEMORY */
 GpResult fragment_count(const FragmentMesh *mesh, const FragmentView *view, GpSurface *depth,

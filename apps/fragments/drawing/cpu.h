@@ -5,8 +5,8 @@
 
 #include "apps/fragments/drawing/view.h"
 
-/* As view.h has it, without glass. The lists are made here; the frame's pass puts the finished layers over
- * the picture.
+/* As view.h has it, without glass. The lists are made here; the frame's pass puts the finished
+ * layers over the picture.
  * errors GP_ERROR_UNSUPPORTED: something opaque is there; GP_ERROR_MEMORY */
 GpResult cpu_add(const FragmentMesh *mesh, const FragmentView *view, GpSurface *color,
                  GpSurface *depth, Frame *frame, GpError *error);

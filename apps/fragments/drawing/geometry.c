@@ -25,7 +25,8 @@ static void set_normal(const FragmentMesh *mesh, const uint32_t corner[3], float
         normal[k] = (float)across[k];
 }
 
-/* The corner that is the first: one whose vertex is no other triangle's first; 3 where there is none. */
+/* The corner that is the first: one whose vertex is no other triangle's first; 3 where there is
+ * none. */
 static int find_free(const bool *is_first, const uint32_t corner[3])
 {
     int free = 0;

@@ -4,17 +4,18 @@
 
 #include "apps/fragments/drawing/view.h"
 
-/* GP_POSITION, 3; GP_COLOR, 4, as the mesh has them; GP_NORMAL, 3, of unit length (0: none), to the side
- * from which corners turn counter-clockwise. Colour and normal are those of the triangle whose first
- * corner a vertex is, and no other's: they are for flat varyings. Triangle i stands at indices 3 i, with
- * its corners in their turn; which is the first may differ. */
+/* GP_POSITION, 3; GP_COLOR, 4, as the mesh has them; GP_NORMAL, 3, of unit length (0: none), to the
+ * side from which corners turn counter-clockwise. Colour and normal are those of the triangle whose
+ * first corner a vertex is, and no other's: they are for flat varyings. Triangle i stands at
+ * indices 3 i, with its corners in their turn; which is the first may differ. */
 typedef struct FragmentGeometry {
     GpGeometry drawn, backwards;                        /* backwards: the last triangle first */
     float (*positions)[3], (*colors)[4], (*normals)[3]; /* normals: NULL: without */
     uint32_t *indices, *reversed;
 } FragmentGeometry;
 
-/* A triangle's normal, of unit length (0: none), to the side from which its corners turn counter-clockwise.
+/* A triangle's normal, of unit length (0: none), to the side from which its corners turn
+ * counter-clockwise.
  * in     positions: three floats a vertex */
 void fragment_normal(const float *positions, const uint32_t corner[3], double normal[3]);
 

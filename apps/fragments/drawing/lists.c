@@ -48,7 +48,7 @@ static GpResult begin_windows(Lists *lists, GpError *error)
                    : frame_result(passes->frame, error);
 }
 
-/* --- the fragments at a place -------------------------------------------------------------------- */
+/* --- the fragments at a place ----------------------------------------------------------------- */
 
 /* Of targets 1 and 2 (shaders_c/fragments/lists.h). */
 static void set_windows(const Lists *lists, uint32_t place, GpPass *pass, GpDraw *draw)
@@ -81,9 +81,10 @@ static void add_layer(Lists *lists, uint32_t place)
         set_windows(lists, place, pass, draw);
 }
 
-/* --- in order ------------------------------------------------------------------------------------ */
+/* --- in order --------------------------------------------------------------------------------- */
 
-/* The four nearest of those behind `last`, into one or the other four: a pass for each LIST_AT_ONCE of the list.
+/* The four nearest of those behind `last`, into one or the other four: a pass for each LIST_AT_ONCE
+ * of the list.
  * returns those that have them */
 static GpSurface **find_nearest(const Lists *lists, GpSurface *last,
                                 GpSurface *nearest[2][LIST_KEPT])

@@ -19,21 +19,22 @@ FragmentPasses fragment_passes(const FragmentMesh *mesh, const FragmentView *vie
 /* Of the picture's size, the frame's. */
 GpSurface *fragment_surface(const FragmentPasses *passes, GpFormat format);
 
-/* As layers have it that have been put together: light, and in alpha what is let through, which glass makes
- * more than 1 on its way. Halves, or floats of glass. */
+/* As layers have it that have been put together: light, and in alpha what is let through, which
+ * glass makes more than 1 on its way. Halves, or floats of glass. */
 extern const float fragment_nothing[4];
 
 GpSurface *fragment_layers(const FragmentPasses *passes);
 
-/* A pass that the mesh is drawn in, behind whose opaque things nothing is seen; clears the target to a
- * number in all channels. */
+/* A pass that the mesh is drawn in, behind whose opaque things nothing is seen; clears the target
+ * to a number in all channels. */
 GpPass *fragment_pass(const FragmentPasses *passes, const char *name, GpSurface *target,
                       float clear);
 
 /* Draws the mesh by one of a pair of programs. */
 GpDraw *fragment_draw(const FragmentPasses *passes, const GpProgram *plain, const GpProgram *glass);
 
-/* What a pass over all pixels reads in place, slots from 0 on, and draws into, targets from 0 on. */
+/* What a pass over all pixels reads in place, slots from 0 on, and draws into, targets from 0
+ * on. */
 typedef struct FragmentSlots {
     GpSurface *const *read;
     int reads;

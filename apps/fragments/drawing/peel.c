@@ -3,7 +3,8 @@
 #include "apps/fragments/drawing/passes.h"
 #include "shaders_c/fragments/peel.h"
 
-/* Layers alternate between two pairs of surfaces, so that each can read the depths of the one before. */
+/* Layers alternate between two pairs of surfaces, so that each can read the depths of the one
+ * before. */
 typedef struct Layers {
     GpSurface *color[2], *depth[2], *all;
 } Layers;

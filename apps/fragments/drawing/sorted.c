@@ -3,8 +3,8 @@
 #include "apps/fragments/drawing/passes.h"
 #include "shaders_c/fragments/sorted.h"
 
-/* The farthest fragment first; of those of one depth the last triangle, which is to lie behind, is drawn
- * first. */
+/* The farthest fragment first; of those of one depth the last triangle, which is to lie behind, is
+ * drawn first. */
 static void draw_sorted(const FragmentPasses *passes, GpPass *pass, GpBlend blend)
 {
     pass->order = GP_ORDER_DEPTH;

@@ -1,4 +1,5 @@
-/* The machine sorts the fragments of a pixel before it blends them: one pass, in which nothing is lost. */
+/* The machine sorts the fragments of a pixel before it blends them: one pass, in which nothing is
+ * lost. */
 #ifndef APPS_FRAGMENTS_DRAWING_SORTED_H
 #define APPS_FRAGMENTS_DRAWING_SORTED_H
 

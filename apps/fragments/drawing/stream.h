@@ -1,4 +1,5 @@
-/* The fragments of a mesh in the order in which the machine makes them, one by one, on the processor. */
+/* The fragments of a mesh in the order in which the machine makes them, one by one, on the
+ * processor. */
 #ifndef APPS_FRAGMENTS_DRAWING_STREAM_H
 #define APPS_FRAGMENTS_DRAWING_STREAM_H
 

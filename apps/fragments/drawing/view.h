@@ -20,14 +20,15 @@ typedef struct FragmentMesh {
 
 /* Light on its way through what is between two surfaces, so that a mesh is a body.
  *
- * At a surface a share t of the light goes through, t = (1 - r) (1 - (1 - cos)^5), Schlick's, of the angle
- * between the line of sight and the triangle's normal; r = 0.04, or 0 as printed. So a fragment hides
- * h = 1 - (1 - alpha) t, and adds h times its colour. Of the way d to a fragment along the line of sight,
- * from the plane `begin` on, what lies between a triangle that faces the eye (its corners turn
- * counter-clockwise) and one that does not is inside and takes light, by Beer and Lambert's
- * exp(-sigma length). Said of each fragment by itself, which is the same where bodies are closed and apart, so that whoever sorts may blend them as any others:
- * one that faces the eye lets (1 - h) exp(sigma d) through; one that does not, (1 - h) exp(-sigma d), and its
- * own light is times exp(-sigma d) too. */
+ * At a surface a share t of the light goes through, t = (1 - r) (1 - (1 - cos)^5), Schlick's, of
+ * the angle between the line of sight and the triangle's normal; r = 0.04, or 0 as printed. So a
+ * fragment hides h = 1 - (1 - alpha) t, and adds h times its colour. Of the way d to a fragment
+ * along the line of sight, from the plane `begin` on, what lies between a triangle that faces the
+ * eye (its corners turn counter-clockwise) and one that does not is inside and takes light, by Beer
+ * and Lambert's exp(-sigma length). Said of each fragment by itself, which is the same where bodies
+ * are closed and apart, so that whoever sorts may blend them as any others: one that faces the eye
+ * lets (1 - h) exp(sigma d) through; one that does not, (1 - h) exp(-sigma d), and its own light is
+ * times exp(-sigma d) too. */
 typedef struct FragmentGlass {
     bool is_on;         /* false: each fragment hides alpha of what is behind it, and that is all */
     double sigma;       /* extinction, of the world's unit of length */

@@ -59,7 +59,7 @@ static unsigned sides_of(const FrontView *view, uint32_t face, uint32_t other, i
     return sides;
 }
 
-/* --- by the corners of what two triangles have in common ---------------------------------------- */
+/* --- by the corners of what two triangles have in common -------------------------------------- */
 
 typedef double Vector[3];
 
@@ -150,7 +150,8 @@ static bool is_inside(const FrontView *view, const Cone *cone, const Vector poin
     return positive == 3 || negative == 3;
 }
 
-/* Orders at the corners of `other` that are seen inside `face`: those towards the eye are in front. */
+/* Orders at the corners of `other` that are seen inside `face`: those towards the eye are in
+ * front. */
 static unsigned compare_corners(const FrontView *view, uint32_t face, const Cone *cone,
                                 uint32_t other, const Cone *points, int eye)
 {

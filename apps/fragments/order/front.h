@@ -20,10 +20,11 @@ FrontView front_view(const FragmentMesh *mesh, const double (*planes)[4], double
                      const Camera *camera);
 
 /* in   a, b: triangles that some ray from the eye meets both of, as the screen has them
- * returns FRONT_FIRST where a is in front of b on some ray that meets both, FRONT_SECOND where b is in front
- *        of a, both where they cut each other. Of two in one plane the first of the mesh is in front
- * source Newell, Newell and Sancha, "A solution to the hidden surface problem", 1972: planes first, then
- *        the corners of what they have in common on the screen */
+ * returns FRONT_FIRST where a is in front of b on some ray that meets both, FRONT_SECOND where b is
+ *        in front of a, both where they cut each other. Of two in one plane the first of the mesh
+ *        is in front
+ * source Newell, Newell and Sancha, "A solution to the hidden surface problem", 1972: planes first,
+ *        then the corners of what they have in common on the screen */
 unsigned front_of_two(const FrontView *view, uint32_t a, uint32_t b);
 
 #endif

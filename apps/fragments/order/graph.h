@@ -25,15 +25,15 @@ typedef struct Graph {
 GpResult graph_make(uint32_t node_count, const Pairs *edges, Graph *graph);
 void graph_free(Graph *graph);
 
-/* Numbers the strongly connected components: nodes that come before each other have one number, and what
- * comes after has a lower number than what is before.
+/* Numbers the strongly connected components: nodes that come before each other have one number, and
+ * what comes after has a lower number than what is before.
  * out    component: [count]
  * errors GP_ERROR_MEMORY
  * source Tarjan, "Depth-first search and linear graph algorithms", 1972, without recursion */
 GpResult graph_components(const Graph *graph, uint32_t *component, uint32_t *component_count);
 
-/* Puts all nodes into an order in which none comes before what is to be before it, but where nodes come before each
- * other in a circle: that is cut at the first of them.
+/* Puts all nodes into an order in which none comes before what is to be before it, but where nodes
+ * come before each other in a circle: that is cut at the first of them.
  * in     nodes: [count] all, those first that come first where nothing else is said
  * out    sequence: [count]; cuts: how often a circle was cut
  * errors GP_ERROR_MEMORY

@@ -20,7 +20,7 @@ typedef struct Grid {
     Pairs edges;
 } Grid;
 
-/* --- which is in front -------------------------------------------------------------------------- */
+/* --- which is in front ------------------------------------------------------------------------ */
 
 /* Whether the eye is on the lower side of a plane. */
 static bool is_below(const Grid *grid, const double normal[3], double distance)
@@ -58,7 +58,7 @@ static Front front_of(const Grid *grid, uint32_t one, uint32_t other)
     return parting ? front_by_parting(grid, parting, one) : front;
 }
 
-/* --- what waits --------------------------------------------------------------------------------- */
+/* --- what waits ------------------------------------------------------------------------------- */
 
 static uint32_t slab_node(const Grid *grid, const Parting *parting)
 {
@@ -77,8 +77,8 @@ static int lead_of(const Grid *grid, uint32_t first, uint32_t second)
     return (front == FIRST) - (front == SECOND);
 }
 
-/* Slabs of two pieces of which the first is in front: each stands with its own piece, unless its other piece is
- * beyond the other. */
+/* Slabs of two pieces of which the first is in front: each stands with its own piece, unless its
+ * other piece is beyond the other. */
 static void wait_for_slabs(Grid *grid, uint32_t first, uint32_t second)
 {
     const Partings *partings = grid->partings;
@@ -211,7 +211,7 @@ static bool relate_all(Grid *grid)
     return done;
 }
 
-/* --- the sequence ------------------------------------------------------------------------------- */
+/* --- the sequence ----------------------------------------------------------------------------- */
 
 static double distance_of(const Grid *grid, uint32_t piece)
 {

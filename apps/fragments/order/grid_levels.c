@@ -15,7 +15,7 @@ typedef struct Levels {
     uint32_t node_count, latest; /* latest: the last time, and 1 */
 } Levels;
 
-/* --- faces of nodes ----------------------------------------------------------------------------- */
+/* --- faces of nodes --------------------------------------------------------------------------- */
 
 static uint32_t node_of(const Levels *levels, uint32_t face)
 {
@@ -48,7 +48,7 @@ static void list_nodes(Levels *levels)
     }
 }
 
-/* --- times -------------------------------------------------------------------------------------- */
+/* --- times ------------------------------------------------------------------------------------ */
 
 static int32_t between(int32_t value, uint32_t count)
 {
@@ -88,7 +88,7 @@ static void find_time(Levels *levels, uint32_t node)
         levels->latest = time + 1;
 }
 
-/* --- levels ------------------------------------------------------------------------------------- */
+/* --- levels ----------------------------------------------------------------------------------- */
 
 /* Faces by their levels, in the order of pieces: those of slabs, or of all others. */
 static void list_faces(const Levels *levels, bool slabs, uint32_t level_count, uint32_t *first,

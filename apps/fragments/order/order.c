@@ -4,8 +4,9 @@
 
 #include <string.h>
 
-/* Nodes of the graph: the near side of piece p is 2 p, its far side 2 p + 1. Of sides that are taken apart
- * these are gates, before all of their faces; then come gates behind all of them, and the faces. */
+/* Nodes of the graph: the near side of piece p is 2 p, its far side 2 p + 1. Of sides that are
+ * taken apart these are gates, before all of their faces; then come gates behind all of them, and
+ * the faces. */
 typedef struct Work {
     const Pieces *pieces;
     const Screen *screen;
@@ -127,7 +128,8 @@ static Kind *find_kinds(const Work *work)
     return kinds;
 }
 
-/* The earliest time of each component, after the last of those before it. Components are numbered from the last. */
+/* The earliest time of each component, after the last of those before it. Components are numbered
+ * from the last. */
 static GpResult find_times(Work *work, Kind *kinds)
 {
     uint32_t *members = gp_alloc((size_t)work->graph.count + 1, sizeof *members);

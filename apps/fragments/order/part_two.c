@@ -35,7 +35,7 @@ static Ends ends_of(const PartWork *work, uint32_t piece, const double normal[3]
     return ends;
 }
 
-/* --- planes ------------------------------------------------------------------------------------- */
+/* --- planes ----------------------------------------------------------------------------------- */
 
 static void set_plane(Parting *parting, uint32_t low, uint32_t high, const double normal[3],
                       double distance)
@@ -59,7 +59,8 @@ static bool part_along(const PartWork *work, uint32_t a, uint32_t b, const doubl
     return true;
 }
 
-/* A piece is behind the planes of its faces, as they are turned; whether another is in front of one of them. */
+/* A piece is behind the planes of its faces, as they are turned; whether another is in front of one
+ * of them. */
 static bool part_by_faces(const PartWork *work, uint32_t piece, uint32_t other, Parting *parting)
 {
     const Pieces *pieces = work->mesh->pieces;
@@ -109,8 +110,8 @@ static const float *farthest(const PartWork *work, uint32_t piece, const double 
     return found;
 }
 
-/* Walks over the differences of points of both pieces towards the one that is least: across it lies a plane
- * that parts them, if one does with room to spare. */
+/* Walks over the differences of points of both pieces towards the one that is least: across it lies
+ * a plane that parts them, if one does with room to spare. */
 static bool part_by_nearest(const PartWork *work, uint32_t a, uint32_t b, Parting *parting)
 {
     enum { STEPS = 32 };
@@ -137,9 +138,10 @@ static bool part_by_nearest(const PartWork *work, uint32_t a, uint32_t b, Partin
     return false;
 }
 
-/* --- slabs -------------------------------------------------------------------------------------- */
+/* --- slabs ------------------------------------------------------------------------------------ */
 
-/* The shortest axis of the corners of a piece's faces that stand at places of another's, or else of all. */
+/* The shortest axis of the corners of a piece's faces that stand at places of another's, or else of
+ * all. */
 static void short_axis(PartWork *work, uint32_t piece, uint32_t other, double axis[3])
 {
     const Pieces *pieces = work->mesh->pieces;
@@ -195,7 +197,7 @@ static void part_by_slab(PartWork *work, uint32_t a, uint32_t b, Parting *partin
     parting->kind = PARTING_SLAB;
 }
 
-/* --- both --------------------------------------------------------------------------------------- */
+/* --- both ------------------------------------------------------------------------------------- */
 
 void part_two(PartWork *work, uint32_t a, uint32_t b, Parting *parting, Slab *slab)
 {

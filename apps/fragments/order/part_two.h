@@ -19,8 +19,9 @@ typedef struct Slab {
 } Slab;
 
 /* out    parting: without the number of its slab; slab: where it is one
- * source planes: of faces of either, across axes, and by nearest points: Gilbert, "An iterative procedure for
- *        computing the minimum of a quadratic form on a convex set", 1966; slabs: paper 002, section 3.2.2 */
+ * source planes: of faces of either, across axes, and by nearest points: Gilbert, "An iterative
+ *        procedure for computing the minimum of a quadratic form on a convex set", 1966; slabs:
+ *        paper 002, section 3.2.2 */
 void part_two(PartWork *work, uint32_t a, uint32_t b, Parting *parting, Slab *slab);
 
 #endif

@@ -15,7 +15,7 @@ bool parting_boxes_apart(const PieceSpan *one, const PieceSpan *other)
     return false;
 }
 
-/* --- pairs -------------------------------------------------------------------------------------- */
+/* --- pairs ------------------------------------------------------------------------------------ */
 
 typedef struct Place {
     double low;
@@ -117,7 +117,7 @@ static GpResult part_all(Work *work, PiecesProgress progress, void *context)
     return GP_OK;
 }
 
-/* --- the table ---------------------------------------------------------------------------------- */
+/* --- the table -------------------------------------------------------------------------------- */
 
 static uint32_t lesser(const Parting *parting)
 {
@@ -209,7 +209,7 @@ const Parting *parting_of(const Partings *partings, uint32_t one, uint32_t other
                : NULL;
 }
 
-/* --- the whole ---------------------------------------------------------------------------------- */
+/* --- the whole -------------------------------------------------------------------------------- */
 
 GpResult partings_make(const OrderMesh *mesh, PiecesProgress progress, void *context,
                        Partings *partings, GpError *error)

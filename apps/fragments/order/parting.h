@@ -1,13 +1,15 @@
-/* What parts two convex pieces whose boxes reach into each other, whatever the view: made once for a mesh.
+/* What parts two convex pieces whose boxes reach into each other, whatever the view: made once for
+ * a mesh.
  *
- * A plane parts them, or the one is nested in the other: then the order of all of them follows from the side
- * that the eye is on. Where neither is so, a slab does: two parallel planes, between which faces of both leave
- * their pieces, so that what is left is parted. A slab has two convex pieces' faces, and so no more than 4
- * layers.
+ * A plane parts them, or the one is nested in the other: then the order of all of them follows from
+ * the side that the eye is on. Where neither is so, a slab does: two parallel planes, between which
+ * faces of both leave their pieces, so that what is left is parted. A slab has two convex pieces'
+ * faces, and so no more than 4 layers.
  *
  * source paper 002, sections 3.2.1 and 3.2.2
- * DEVIATES: faces that reach into a slab leave whole; cut at its planes their corners would be rounded anew,
- *        and gaps be seen. A face leaves its piece once, to the first slab that it reaches into */
+ * DEVIATES: faces that reach into a slab leave whole; cut at its planes their corners would be
+ *        rounded anew, and gaps be seen. A face leaves its piece once, to the first slab that it
+ *        reaches into */
 #ifndef APPS_FRAGMENTS_ORDER_PARTING_H
 #define APPS_FRAGMENTS_ORDER_PARTING_H
 
@@ -19,8 +21,8 @@ enum { NO_SLAB = UINT32_MAX };
 typedef enum PartingKind { PARTING_PLANE, PARTING_SLAB, PARTING_NESTED } PartingKind;
 
 typedef struct Parting {
-    uint32_t low,
-        high; /* pieces: behind the plane, and in front of it; of nested ones the outer, the inner */
+    /* pieces: behind the plane, and in front of it; of nested ones the outer, the inner */
+    uint32_t low, high;
     uint32_t kind;
     uint32_t slab;   /* its number, or NO_SLAB */
     double plane[4]; /* normal, unit length, and distance; of a slab that in its middle */

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Faces in the order of their pieces, BLOCK by BLOCK, are the leaves of a complete binary tree: node n
- * has the children 2n and 2n + 1, and the root is 1. */
+/* Faces in the order of their pieces, BLOCK by BLOCK, are the leaves of a complete binary tree:
+ * node n has the children 2n and 2n + 1, and the root is 1. */
 enum { BLOCK = 4, MANY = UINT32_MAX };
 
 typedef struct Node {
@@ -98,7 +98,8 @@ static unsigned front_by_spans(const Search *search, uint32_t a, uint32_t b)
     return order;
 }
 
-/* Whether two parts need not be looked at: of one large piece, or of two that are ordered as a whole. */
+/* Whether two parts need not be looked at: of one large piece, or of two that are ordered as a
+ * whole. */
 static bool is_settled(Search *search, const Node *a, const Node *b)
 {
     if (a->piece == MANY || b->piece == MANY || !order_is_large(search->pieces, a->piece))

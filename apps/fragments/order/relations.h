@@ -12,8 +12,8 @@ typedef struct Relations {
     Pairs pieces; /* large ones: nothing of the second is in front of anything of the first */
 } Relations;
 
-/* Finds them among faces that meet on the screen; of those of one piece, near before far. Those within a
- * large piece are left out: its near faces are in front of its far ones in any case.
+/* Finds them among faces that meet on the screen; of those of one piece, near before far. Those
+ * within a large piece are left out: its near faces are in front of its far ones in any case.
  * errors GP_ERROR_MEMORY */
 GpResult relations_find(const OrderMesh *mesh, const Camera *camera, const Screen *screen,
                         Relations *relations, GpError *error);

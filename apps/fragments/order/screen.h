@@ -1,7 +1,7 @@
 /* Where the faces of a mesh are on the screen, to the bit that the machine draws them at.
  *
- * Vertices go through the arithmetic of the vertex shader (m4x4) and of the machine's own units, so that
- * two faces which do not meet here share no pixel there. */
+ * Vertices go through the arithmetic of the vertex shader (m4x4) and of the machine's own units, so
+ * that two faces which do not meet here share no pixel there. */
 #ifndef APPS_FRAGMENTS_ORDER_SCREEN_H
 #define APPS_FRAGMENTS_ORDER_SCREEN_H
 

@@ -1,4 +1,5 @@
-/* The machine's arithmetic from clip space to the screen, of positions alone (pipeline/CONVENTIONS.md). */
+/* The machine's arithmetic from clip space to the screen, of positions alone
+ * (pipeline/CONVENTIONS.md). */
 #ifndef APPS_FRAGMENTS_ORDER_SCREEN_CLIP_H
 #define APPS_FRAGMENTS_ORDER_SCREEN_CLIP_H
 

@@ -5,7 +5,8 @@
 
 #include <string.h>
 
-/* Planes, or corners, with boxes about each BLOCK of them, from which follows that most are far away. */
+/* Planes, or corners, with boxes about each BLOCK of them, from which follows that most are far
+ * away. */
 enum { BLOCK = 32 };
 
 typedef struct Rows {
@@ -124,8 +125,9 @@ static bool plane_of(const ConvexSet *set, uint32_t face, double plane[4])
     return true;
 }
 
-/* Whether two triangles in one plane, turning the same way, lie on each other: no edge of one has the
- * other beyond it. Sides of edges are those of planes through them and a point off the plane. */
+/* Whether two triangles in one plane, turning the same way, lie on each other: no edge of one has
+ * the other beyond it. Sides of edges are those of planes through them and a point off the
+ * plane. */
 static bool lie_on_each_other(const ConvexSet *set, uint32_t a, uint32_t b, const double plane[4])
 {
     int axis = 0;

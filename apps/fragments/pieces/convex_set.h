@@ -1,8 +1,8 @@
 /* Faces that lie on one convex body: none has a corner in front of another's plane.
  *
- * Any line crosses such faces at most twice, once going in and once coming out. The body need not be
- * closed, and its faces need not hang together. Faces may all be turned over: then the body is the
- * other side of a dent. */
+ * Any line crosses such faces at most twice, once going in and once coming out. The body need not
+ * be closed, and its faces need not hang together. Faces may all be turned over: then the body is
+ * the other side of a dent. */
 #ifndef APPS_FRAGMENTS_PIECES_CONVEX_SET_H
 #define APPS_FRAGMENTS_PIECES_CONVEX_SET_H
 

@@ -1,8 +1,9 @@
-/* How the faces of a mesh hang together: which stand at each place, and which lies across each edge.
+/* How the faces of a mesh hang together: which stand at each place, and which lies across each
+ * edge.
  *
- * Vertices at one place are one. A link is an edge of exactly two faces that run along it in opposite
- * ways; across other edges nobody can say which face goes on, and so there is none. Faces that have not three
- * different corners have no edges. */
+ * Vertices at one place are one. A link is an edge of exactly two faces that run along it in
+ * opposite ways; across other edges nobody can say which face goes on, and so there is none. Faces
+ * that have not three different corners have no edges. */
 #ifndef APPS_FRAGMENTS_PIECES_LINKS_H
 #define APPS_FRAGMENTS_PIECES_LINKS_H
 

@@ -30,7 +30,8 @@ static bool tell(const Work *work, double share)
 
 /* --- growing ---------------------------------------------------------------------------------- */
 
-/* Grows a set from a seed over free faces. Members wait in the set itself for their neighbours' turn. */
+/* Grows a set from a seed over free faces. Members wait in the set itself for their neighbours'
+ * turn. */
 static void grow(Work *work, uint32_t seed, bool inward)
 {
     const uint32_t growth = ++work->growth;

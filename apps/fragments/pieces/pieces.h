@@ -1,11 +1,11 @@
 /* A mesh as convex pieces: sets of faces that any line crosses at most twice.
  *
  * source paper 002 (Xie and Wang, "Rendering with multiple fragments on GPU by reading data once"),
- *        section 3.1: from a seed face grow over neighbours, leave out what lies in front of a member's
- *        plane, until every face has a piece
- * DEVIATES: the seed grows outward and, turned over, inward, and the larger piece is kept: dents are
- *        convex from behind, and become one piece instead of one for each of their faces. As printed
- *        with `outward`. */
+ *        section 3.1: from a seed face grow over neighbours, leave out what lies in front of a
+ *        member's plane, until every face has a piece
+ * DEVIATES: the seed grows outward and, turned over, inward, and the larger piece is kept: dents
+ *        are convex from behind, and become one piece instead of one for each of their faces. As
+ *        printed with `outward`. */
 #ifndef APPS_FRAGMENTS_PIECES_PIECES_H
 #define APPS_FRAGMENTS_PIECES_PIECES_H
 
@@ -44,11 +44,12 @@ void pieces_free(Pieces *pieces);
 
 /* Makes pieces of what is known of each face and piece, copied; counts are set already.
  * in     piece_of: [face_count]; inward: [count]
- * errors GP_ERROR_MEMORY; GP_ERROR_FORMAT: a face of no piece, a piece of no face. Untouched then */
+ * errors GP_ERROR_MEMORY; GP_ERROR_FORMAT: a face of no piece, a piece of no face. Untouched
+ *        then */
 GpResult pieces_fill(Pieces *pieces, const uint32_t *piece_of, const uint8_t *inward);
 
-/* The fewest words that say what a mesh kept pieces from: "12 boundary edges, 3 faces without area";
- * "" of a clean one. */
+/* The fewest words that say what a mesh kept pieces from: "12 boundary edges, 3 faces without
+ * area"; "" of a clean one. */
 void pieces_faults(const Pieces *pieces, char *text, size_t size);
 
 #endif

@@ -1,8 +1,8 @@
 /* Convex pieces kept in a file, so that they are made once for a mesh.
  *
- * The file is one block, little-endian: a head, of each face its piece, of each piece whether it is turned
- * over, and what others have made of the pieces. The head says which version wrote it, of what (a key), how much there is, and the hash of
- * all.
+ * The file is one block, little-endian: a head, of each face its piece, of each piece whether it is
+ * turned over, and what others have made of the pieces. The head says which version wrote it, of
+ * what (a key), how much there is, and the hash of all.
  *
  * source ours; XXH3 for the hashes */
 #ifndef APPS_FRAGMENTS_PIECES_PIECES_CACHE_H
@@ -21,10 +21,11 @@ typedef struct PiecesBlock {
 } PiecesBlock;
 
 /* Reads pieces that were written for the same key.
- * out    pieces: free with pieces_free; block: free its bytes with gp_free; both untouched on failure
- * errors GP_ERROR_IO (no such file), GP_ERROR_MEMORY, GP_ERROR_FORMAT: they are to be made anew, and the
- *        message says why: "FILE: not a cache of convex pieces", "... of another version", "... of another mesh
- *        or other settings", "... damaged ..." */
+ * out    pieces: free with pieces_free; block: free its bytes with gp_free; both untouched on
+ *        failure
+ * errors GP_ERROR_IO (no such file), GP_ERROR_MEMORY, GP_ERROR_FORMAT: they are to be made anew,
+ *        and the message says why: "FILE: not a cache of convex pieces", "... of another version",
+ *        "... of another mesh or other settings", "... damaged ..." */
 GpResult pieces_read(const char *path, uint64_t key, Pieces *pieces, PiecesBlock *block,
                      GpError *error);
 

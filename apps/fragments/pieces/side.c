@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* A sum of doubles that do not overlap, the least first. Differences of two floats have 2 terms, the
- * products of three such 2 * 4 * 4, and six of these make the determinant. */
+/* A sum of doubles that do not overlap, the least first. Differences of two floats have 2 terms,
+ * the products of three such 2 * 4 * 4, and six of these make the determinant. */
 enum { MAX_TERMS = 192 };
 
 typedef struct Expansion {

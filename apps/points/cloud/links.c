@@ -6,7 +6,7 @@
 
 enum { WEIGHTS = 1024 };
 
-/* --- sets of points whose sides are known from each other ---------------------------------------- */
+/* --- sets of points whose sides are known from each other ------------------------------------- */
 
 /* A point's parent, and whether the two look opposite ways (TURNED). The root of a set is its own
  * parent. */
@@ -36,7 +36,7 @@ static Parent find_root(Parent *parents, uint32_t point)
     return point | turned;
 }
 
-/* --- the spanning tree --------------------------------------------------------------------------- */
+/* --- the spanning tree ------------------------------------------------------------------------ */
 
 static bool is_linked_to(const Links *links, uint32_t from, uint32_t to)
 {
@@ -103,7 +103,7 @@ static void connect(const Links *links, const uint32_t *sorted, uint32_t count, 
     }
 }
 
-/* --- components ---------------------------------------------------------------------------------- */
+/* --- components ------------------------------------------------------------------------------- */
 
 typedef struct Component {
     int64_t votes; /* of given normals: as they stand, against turned */

@@ -230,8 +230,8 @@ static void search_tree(Search *search)
     }
 }
 
-/* As many points as are sought are no farther: those of the rank before, but for that rank itself in the place of
- * this one. */
+/* As many points as are sought are no farther: those of the rank before, but for that rank itself
+ * in the place of this one. */
 static double known_limit(const Search *search)
 {
     double limit = 0;

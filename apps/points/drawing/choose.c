@@ -22,7 +22,8 @@ static bool is_merged(const Patches *patches, const PatchRange *range)
     return range->first < patch_levels(patches, patch)[patch->level_count - 1].first;
 }
 
-/* Radii of the standard deviations of what a range draws; a range may hold some of the next level. */
+/* Radii of the standard deviations of what a range draws; a range may hold some of the next
+ * level. */
 static void range_deviations(const Chooser *chooser, const PatchRange *range, double *least,
                              double *most)
 {
@@ -61,9 +62,9 @@ static SplatMethod bounded_filter(const Chooser *chooser, const PatchRange *rang
     return SPLAT_EWA;
 }
 
-/* Ours: by how many pixels the standard deviation of splats may grow where surfels are merged. With the
- * pixel's filter alone its variance h becomes h + d^2, along both axes; 2 f(1 + x) <= x^2, so that L is
- * at most d^2 / h (filter.h). */
+/* Ours: by how many pixels the standard deviation of splats may grow where surfels are merged. With
+ * the pixel's filter alone its variance h becomes h + d^2, along both axes; 2 f(1 + x) <= x^2, so
+ * that L is at most d^2 / h (filter.h). */
 static double bounded_detail(const SplatSetting *setting)
 {
     return setting->method == SPLAT_ADAPTIVE ? setting->low_pass * sqrt(2 * setting->tolerance) : 0;
@@ -80,8 +81,8 @@ static double area_ratio(const Chooser *chooser, const PatchRange *range)
     return pixels * pixels * cosine / chooser->h;
 }
 
-/* source the thesis, section 3.3.2: S / Sh against c_max = 3, and widened towards the picture's corners
- *        against c_min = 0.3; patches at the silhouette keep both filters */
+/* source the thesis, section 3.3.2: S / Sh against c_max = 3, and widened towards the picture's
+ *        corners against c_min = 0.3; patches at the silhouette keep both filters */
 static SplatMethod area_filter(const Chooser *chooser, const PatchRange *range)
 {
     const double ratio = area_ratio(chooser, range), tangent = chooser->tangent;
@@ -92,8 +93,9 @@ static SplatMethod area_filter(const Chooser *chooser, const PatchRange *range)
     return sqrt(2 * tangent * tangent + 1) * ratio < 0.3 ? SPLAT_LOW_PASS : SPLAT_EWA;
 }
 
-/* source paper 003, section 3: the distance against c r sqrt(cos theta) / rh with c_min = 0.3 and c_max =
- *        2 (1 + 2 tan(fov / 2))^2, so that the c are roots of ratios of areas, upside down */
+/* source paper 003, section 3: the distance against c r sqrt(cos theta) / rh with c_min = 0.3 and
+ *        c_max = 2 (1 + 2 tan(fov / 2))^2, so that the c are roots of ratios of areas, upside
+ *        down */
 static SplatMethod distance_filter(const Chooser *chooser, const PatchRange *range)
 {
     const double root = sqrt(area_ratio(chooser, range)), tangent = chooser->tangent;
@@ -121,14 +123,14 @@ static SplatMethod choose_filter(const Chooser *chooser, const PatchRange *range
 
 /* --- runs ------------------------------------------------------------------------------------- */
 
-/* Pixels by which the discs that hide may reach beyond those that are drawn: less where a patch may hold
- * an edge of the surface, behind which another begins. */
+/* Pixels by which the discs that hide may reach beyond those that are drawn: less where a patch may
+ * hold an edge of the surface, behind which another begins. */
 #define HIDERS_REACH      1
 #define HIDERS_EDGE_REACH 0.5
 
 /* What leaves the visibility of a range: the coarsest whole level above it whose discs are not much
- * wider. A parent's disc covers those of its children, so nothing behind them shows; at the edges of
- * the surface it hides a little more. */
+ * wider. A parent's disc covers those of its children, so nothing behind them shows; at the edges
+ * of the surface it hides a little more. */
 static SplatRun hider_of(const Chooser *chooser, const PatchRange *range, SplatRun own)
 {
     const Patches *patches = chooser->patches;

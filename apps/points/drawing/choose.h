@@ -1,4 +1,5 @@
-/* What of a model's levels a picture shows: runs of surfels, each with the filter that its splats need. */
+/* What of a model's levels a picture shows: runs of surfels, each with the filter that its splats
+ * need. */
 #ifndef APPS_POINTS_DRAWING_CHOOSE_H
 #define APPS_POINTS_DRAWING_CHOOSE_H
 

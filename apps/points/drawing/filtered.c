@@ -25,8 +25,8 @@ static double inside_cut(double cut)
 NormalizeUniforms splat_normalize_uniforms(const SplatEye *eye, const SplatView *view,
                                            const SplatSetting *setting)
 {
-    /* along a straight border the sums fall from 1 to 0 with the filter's integral; twice as steep, the
-     * surface is whole where they are 3/4, and a border is blurred by less than a pixel */
+    /* along a straight border the sums fall from 1 to 0 with the filter's integral; twice as steep,
+     * the surface is whole where they are 3/4, and a border is blurred by less than a pixel */
     const double per_weight = 1 / inside_cut(setting->cut), steep = 2;
     const SplatLight light = splat_light(view);
     NormalizeUniforms uniforms = {
@@ -171,12 +171,12 @@ static double mean_radius(const SplatSource *source)
     return count > 0 ? sum / count : 0;
 }
 
-/* A surface that is seen at an angle goes back by more than its footprints within one splat. The test
- * does not know the angle: it is taken for 76 degrees. Steeper ones lose weight. */
+/* A surface that is seen at an angle goes back by more than its footprints within one splat. The
+ * test does not know the angle: it is taken for 76 degrees. Steeper ones lose weight. */
 #define STEEP 4
 
-/* Depths of one scale for all runs (shaders_c/points/ternary.h), by their mean radius; runs of larger
- * surfels have an epsilon larger by as much. */
+/* Depths of one scale for all runs (shaders_c/points/ternary.h), by their mean radius; runs of
+ * larger surfels have an epsilon larger by as much. */
 static void add_ternary_splats(const SplatSource *source, const SplatEye *eye,
                                const SplatView *view, const SplatSetting *setting,
                                GpSurface *const sums[2], GpSurface *visible, Frame *frame)

@@ -17,7 +17,8 @@ float splat_largest_radius(const SplatGroup *group)
     return largest;
 }
 
-/* As far as surfels are pushed that are seen from their edge (splat.c), by the runs of the largest. */
+/* As far as surfels are pushed that are seen from their edge (splat.c), by the runs of the
+ * largest. */
 static void draw_behind(const SplatGroup *group, const SplatEye *eye, const GpSurface *depth,
                         Frame *frame)
 {

@@ -1,9 +1,9 @@
-/* Surfels in a picture that has been drawn already: they and what is there hide each other, pixel by
- * pixel.
+/* Surfels in a picture that has been drawn already: they and what is there hide each other, pixel
+ * by pixel.
  *
- * Visibility begins with what is there, pushed back as splats push their surface back; sums are as ever;
- * what they make lies over the picture by its alpha, where the depth test says that it is nearer, and
- * leaves its depth where it covers half of a pixel (shaders_c/points/over.h).
+ * Visibility begins with what is there, pushed back as splats push their surface back; sums are as
+ * ever; what they make lies over the picture by its alpha, where the depth test says that it is
+ * nearer, and leaves its depth where it covers half of a pixel (shaders_c/points/over.h).
  */
 #ifndef APPS_POINTS_DRAWING_OVER_H
 #define APPS_POINTS_DRAWING_OVER_H
@@ -23,7 +23,8 @@ typedef struct SplatGroup {
     SplatSetting setting;
 } SplatGroup;
 
-/* What lights them: uniforms that begin with NormalizeUniforms, all but which belong to the caller. */
+/* What lights them: uniforms that begin with NormalizeUniforms, all but which belong to the
+ * caller. */
 typedef struct SplatShading {
     const GpProgram *program;
     void *uniforms;

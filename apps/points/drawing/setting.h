@@ -71,8 +71,8 @@ typedef struct SplatRun {
     bool merged;    /* some stand for several leaves */
 } SplatRun;
 
-/* How much narrower splats of merged surfels are. There are so many as pixels, whose filter closes the
- * surface between them; and what they are wider than leaves is what merging blurs. */
+/* How much narrower splats of merged surfels are. There are so many as pixels, whose filter closes
+ * the surface between them; and what they are wider than leaves is what merging blurs. */
 #define SPLAT_MERGED_SPREAD 0.65
 
 /* What is drawn: runs of a vertex array, of surfels as they are or of compressed ones

@@ -15,7 +15,8 @@ typedef struct SplatEye {
 
 SplatEye splat_eye(const SplatView *view);
 
-/* The light of a view that is lit, which stands to the left of the eye and above it, without end. */
+/* The light of a view that is lit, which stands to the left of the eye and above it, without
+ * end. */
 typedef struct SplatLight {
     double towards[3]; /* world, unit length */
     double ambient, specular, shininess;
@@ -27,7 +28,8 @@ SplatLight splat_light(const SplatView *view);
 SplatUniforms splat_uniforms(const SplatEye *eye, const SplatView *view,
                              const SplatSetting *setting, SplatMethod filter);
 
-/* Uniforms for each filter that a run may have, of leaves and of merged surfels, in the frame's memory. */
+/* Uniforms for each filter that a run may have, of leaves and of merged surfels, in the frame's
+ * memory. */
 typedef struct FilterUniforms {
     const void *of[2][SPLAT_METHODS];
 } FilterUniforms;

@@ -3,7 +3,8 @@
 #include "apps/techniques/fragments/report.h"
 #include "apps/techniques/fragments/words.h"
 
-/* The processor's own lists are not here: they are made before the frame, which the clock does not see. */
+/* The processor's own lists are not here: they are made before the frame, which the clock does not
+ * see. */
 static const TechniqueSweep sweep[] = {
     { "sorted by the machine", "--method sorted" },
     { "convex pieces", "--method convex" },

@@ -11,7 +11,7 @@
 
 enum { DEFAULT_SIDE = 512, DEFAULT_LAYERS = 16 };
 
-/* --- the mesh ----------------------------------------------------------------------------------- */
+/* --- the mesh --------------------------------------------------------------------------------- */
 
 /* An even number from 2 or more on, behind a colon; 0: there is none. Moves on behind it. */
 static uint32_t read_even(const char **text, uint32_t usual, uint32_t least, uint32_t most)
@@ -92,7 +92,7 @@ static GpResult make_mesh(const FragmentOptions *options, FragmentModel *model, 
     return result;
 }
 
-/* --- the view ----------------------------------------------------------------------------------- */
+/* --- the view --------------------------------------------------------------------------------- */
 
 /* Along the view, of the nearest vertex, but not before the near plane. */
 static double nearest_of(const GpMesh *file, const Camera *camera)
@@ -181,7 +181,7 @@ void fragment_model_close(void *made)
     gp_free(model);
 }
 
-/* --- what is known of the view ------------------------------------------------------------------- */
+/* --- what is known of the view ---------------------------------------------------------------- */
 
 void fragment_model_look(FragmentModel *model, const Camera *camera)
 {

@@ -95,7 +95,7 @@ const SettingField fragment_settings[] = {
 
 _Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two angles");
 
-/* --- what goes together ------------------------------------------------------------------------- */
+/* --- what goes together ----------------------------------------------------------------------- */
 
 static bool keeps_some(FragmentMethod method)
 {

@@ -1,5 +1,5 @@
-/* What may be set of meshes of which all fragments count: how they are drawn, of what, and how they are
- * looked at. */
+/* What may be set of meshes of which all fragments count: how they are drawn, of what, and how they
+ * are looked at. */
 #ifndef APPS_TECHNIQUES_FRAGMENTS_OPTIONS_H
 #define APPS_TECHNIQUES_FRAGMENTS_OPTIONS_H
 

@@ -2,7 +2,7 @@
 
 #include "apps/techniques/fragments/report.h"
 
-/* --- 002.1: frames a second ----------------------------------------------------------------------- */
+/* --- 002.1: frames a second ------------------------------------------------------------------- */
 
 enum { TRIANGLES, PIECES, LAYERS, OURS, MDTS, ABS, BDP2, ADP, DDP, DP, SORTED };
 
@@ -60,7 +60,8 @@ static const char *const speed_methods[] = {
     [SORTED] = "--method sorted",
 };
 
-/* Of the default view: the paper takes the mean of some around the model, and does not say which. */
+/* Of the default view: the paper takes the mean of some around the model, and does not say
+ * which. */
 static GpResult measure_speed(const PaperTable *table, const PaperRow *row,
                               const Technique *technique, void *scene, const TechniqueClock *clock,
                               double measured[PAPER_MAX_COLUMNS], GpError *error)
@@ -104,7 +105,7 @@ static const PaperTable speed = {
     .measure = measure_speed,
 };
 
-/* --- 002.2: depth --------------------------------------------------------------------------------- */
+/* --- 002.2: depth ----------------------------------------------------------------------------- */
 
 enum { DEEP_TRIANGLES, DEEP_PIECES, DEEP_OURS, DEEP_DDP, DEEP_DP, DEEP_SORTED };
 
@@ -182,7 +183,7 @@ static const PaperTable depth = {
     .measure = measure_depth,
 };
 
-/* --- 002.3: memory -------------------------------------------------------------------------------- */
+/* --- 002.3: memory ---------------------------------------------------------------------------- */
 
 enum { BYTES_OURS, BYTES_MDTS, BYTES_ABS, BYTES_DDP, BYTES_DP };
 

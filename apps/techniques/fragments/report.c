@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
-/* --- against the truth -------------------------------------------------------------------------- */
+/* --- against the truth ------------------------------------------------------------------------ */
 
 /* How far above the truth a pixel is: red, green, blue. Returns whether that is wrong. */
 static bool pixel_off(const FragmentTruth *truth, const GpSurface *picture, size_t at,
@@ -49,12 +49,12 @@ void fragment_difference(const FragmentModel *model, const GpSurface *picture, f
     }
 }
 
-/* --- work --------------------------------------------------------------------------------------- */
+/* --- work ------------------------------------------------------------------------------------- */
 
 enum {
     MOST_SURFACES = 1024,
-    /* Of a fragment that the machine sorts: its key and its number in the pixel's list, and what was
-     * shaded, four floats and which draw it is of (pipeline/fast/lanes/shade/fragments.h). */
+    /* Of a fragment that the machine sorts: its key and its number in the pixel's list, and what
+     * was shaded, four floats and which draw it is of (pipeline/fast/lanes/shade/fragments.h). */
     BYTES_THAT_WAIT = 4 + 4 + 16 + 4
 };
 
@@ -102,7 +102,7 @@ FragmentWork fragment_work(const FragmentModel *model, const Frame *frame)
     return work;
 }
 
-/* --- words -------------------------------------------------------------------------------------- */
+/* --- words ------------------------------------------------------------------------------------ */
 
 static void tell(json_t *members, const char *name, uint64_t value)
 {

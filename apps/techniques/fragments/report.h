@@ -18,8 +18,8 @@ typedef struct FragmentError {
 
 FragmentError fragment_error(const FragmentModel *model, const GpSurface *picture);
 
-/* How much brighter than the truth each pixel is in the channel that is most off, as a heat map has it: 0
- * where none is wrong, else from a third to 1, which is a tenth of white or more.
+/* How much brighter than the truth each pixel is in the channel that is most off, as a heat map has
+ * it: 0 where none is wrong, else from a third to 1, which is a tenth of white or more.
  * out  off: [height][width] */
 void fragment_difference(const FragmentModel *model, const GpSurface *picture, float *off);
 
@@ -32,7 +32,8 @@ typedef struct FragmentWork {
 
 FragmentWork fragment_work(const FragmentModel *model, const Frame *frame);
 
-/* The work of a frame that was built last, and how far a picture is off, for JSON; NULL: nobody asks. */
+/* The work of a frame that was built last, and how far a picture is off, for JSON; NULL: nobody
+ * asks. */
 void fragment_tell_work(const FragmentModel *model, const Frame *frame, json_t *members);
 void fragment_tell_error(const FragmentModel *model, const GpSurface *picture, json_t *members);
 

@@ -98,7 +98,7 @@ const SettingField points_settings[] = {
 
 _Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two angles");
 
-/* --- what is built for them --------------------------------------------------------------------- */
+/* --- what is built for them ------------------------------------------------------------------- */
 
 bool points_needs_patches(const PointsOptions *options)
 {

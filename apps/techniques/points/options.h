@@ -35,8 +35,8 @@ extern const PointsOptions points_option_defaults;
 GpResult points_options_check(const void *options, uint32_t given, const char *extension,
                               GpError *error);
 
-/* Whether a setting asks for patches: for levels, for filters that differ from patch to patch, or since
- * they are what is compressed and cached. */
+/* Whether a setting asks for patches: for levels, for filters that differ from patch to patch, or
+ * since they are what is compressed and cached. */
 bool points_needs_patches(const PointsOptions *options);
 
 #endif

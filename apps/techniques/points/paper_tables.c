@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* --- 3.1: bits of a point ------------------------------------------------------------------------ */
+/* --- 3.1: bits of a point --------------------------------------------------------------------- */
 
 enum { BEFORE, AFTER, PRINTED_OFF, OURS_OFF };
 
@@ -30,8 +30,8 @@ static const PaperRow bit_rows[] = {
     { .name = NULL },
 };
 
-/* How far a surfel is off: its place in thousandths of the patch's longest half, its normal in degrees,
- * its radius in per cent. */
+/* How far a surfel is off: its place in thousandths of the patch's longest half, its normal in
+ * degrees, its radius in per cent. */
 static double surfel_off(const Surfel *now, const Surfel *then, const Patch *patch, int which)
 {
     double square = 0, cosine = 0;
@@ -107,7 +107,7 @@ static const PaperTable bits = {
     .measure = measure_bits,
 };
 
-/* --- 3.2: adaptive splatting of large models ------------------------------------------------------- */
+/* --- 3.2: adaptive splatting of large models -------------------------------------------------- */
 
 enum { POINTS, DRAWN, FPS, FPS_ALL, FPS_ROUND };
 
@@ -183,7 +183,7 @@ static const PaperTable models = {
     .measure = measure_models,
 };
 
-/* --- 003.3: both filters against adaptive ones ----------------------------------------------------- */
+/* --- 003.3: both filters against adaptive ones ------------------------------------------------ */
 
 enum { EWA_FAR, EWA_NEAR, ADAPTIVE_FAR, ADAPTIVE_NEAR, OURS_FAR, OURS_NEAR };
 

@@ -1,4 +1,5 @@
-/* What of a point model a frame shows: runs of surfels, each with the filter that its splats need. */
+/* What of a point model a frame shows: runs of surfels, each with the filter that its splats
+ * need. */
 #ifndef APPS_TECHNIQUES_POINTS_SELECT_H
 #define APPS_TECHNIQUES_POINTS_SELECT_H
 

@@ -4,8 +4,8 @@
  * and tiles of it, all chosen anew for each frame. A frame of ours is a list that is built once: a
  * level more would be a read-back more, and a page table that is read once for each level.
  *
- * What asks is drawn; what the processor does is what it does in the paper: it reads which tiles were
- * asked for and gives them places. */
+ * What asks is drawn; what the processor does is what it does in the paper: it reads which tiles
+ * were asked for and gives them places. */
 #include "apps/scene/bounds.h"
 #include "apps/techniques/shadow/adaptive.h"
 
@@ -35,8 +35,8 @@ static GpSurface *draw_request(const ShadowBuild *build, const ShadowLight *ligh
     return request;
 }
 
-/* A point for each pixel of the request: vertices that read a texture, in place of a read-back of the
- * whole picture. */
+/* A point for each pixel of the request: vertices that read a texture, in place of a read-back of
+ * the whole picture. */
 static GpSurface *draw_marks(const ShadowBuild *build, const GpSurface *request)
 {
     static const ShadowMarkUniforms uniforms = { TILES };

@@ -4,8 +4,8 @@
 
 #include "apps/techniques/shadow/light.h"
 
-/* After the pass that draws the map: passes that ask for finer tiles of it, and one that draws those.
- * To know which, it runs the passes up to there.
+/* After the pass that draws the map: passes that ask for finer tiles of it, and one that draws
+ * those. To know which, it runs the passes up to there.
  * out  light->table and what follows
  * errors GP_ERROR_MEMORY, and those of gp_device_run */
 GpResult shadow_draw_tiles(const ShadowBuild *build, ShadowLight *light, GpError *error);

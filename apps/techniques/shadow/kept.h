@@ -1,5 +1,5 @@
-/* What all frames of a scene share of its lights: what casts under each, and its views. Both are found
- * from every vertex, and depend on no setting but the fit. */
+/* What all frames of a scene share of its lights: what casts under each, and its views. Both are
+ * found from every vertex, and depend on no setting but the fit. */
 #ifndef APPS_TECHNIQUES_SHADOW_KEPT_H
 #define APPS_TECHNIQUES_SHADOW_KEPT_H
 

@@ -11,8 +11,8 @@
 
 /* --- the bias --------------------------------------------------------------------------------- */
 
-/* Slope and bias are as given or, where they are to be chosen, chosen: see SHADOW_AUTO. An offset is
- * of no use to a cube map, in which things are looked up by where they are. */
+/* Slope and bias are as given or, where they are to be chosen, chosen: see SHADOW_AUTO. An offset
+ * is of no use to a cube map, in which things are looked up by where they are. */
 static bool needs_bias(const ShadowSetting *setting, const ShadowLight *light)
 {
     return setting->casters != SHADOW_FAR_SIDES && (light->cube || !(setting->offset > 0));
@@ -53,8 +53,8 @@ static GpViewport map_viewport(const ShadowLight *light, int face)
     };
 }
 
-/* The triangles of an object that are drawn into a light's map; a map of all that the light shines at,
- * as printed, has them all. */
+/* The triangles of an object that are drawn into a light's map; a map of all that the light shines
+ * at, as printed, has them all. */
 static GpGeometry find_caster(const ShadowBuild *build, const ShadowLight *light, uint32_t object)
 {
     GpGeometry geometry = build->scene->list.passes[0].draws[object].geometry;
@@ -155,7 +155,7 @@ void shadow_choose(const Scene *scene, ShadowKept *kept, uint32_t number, Shadow
     setting->slope = slope;
 }
 
-/* --- what programs know of it -------------------------------------------------------------------- */
+/* --- what programs know of it ----------------------------------------------------------------- */
 
 /* Clip space to texture coordinates, before the division (thesis, section 4.3). */
 static void map_matrix(const ShadowBuild *build, const ShadowLight *light, float map[4][4])

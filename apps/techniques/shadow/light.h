@@ -38,17 +38,18 @@ ShadowLight shadow_draw_map(const ShadowBuild *build, uint32_t number);
 /* Sets what a setting leaves open to what it is for a light: map, depth, bias and slope. */
 void shadow_choose(const Scene *scene, ShadowKept *kept, uint32_t number, ShadowSetting *setting);
 
-/* An object as the light sees it, in a part of the map: a draw of the present pass, or none where the
- * object casts nothing.
- * in   object: its number; clip: float[4][4], world to the part's clip space; belongs to the frame */
+/* An object as the light sees it, in a part of the map: a draw of the present pass, or none where
+ * the object casts nothing.
+ * in   object: its number; clip: float[4][4], world to the part's clip space; belongs to the
+ *      frame */
 void shadow_draw_caster(const ShadowBuild *build, const ShadowLight *light, uint32_t object,
                         const void *clip, const GpViewport *viewport, bool scissor);
 
 /* What programs know of the light and its map; the surface is left alone. */
 void shadow_set_light(const ShadowBuild *build, const ShadowLight *light, ShadowUniforms *uniforms);
 
-/* An object as the eye sees it under the light, by a program of shadow.h or shadow_tiles.h: a draw of
- * the present pass, with the light's map in slot 1. */
+/* An object as the eye sees it under the light, by a program of shadow.h or shadow_tiles.h: a draw
+ * of the present pass, with the light's map in slot 1. */
 GpDraw *shadow_draw_object(const ShadowBuild *build, const ShadowLight *light, const GpDraw *object,
                            const GpProgram *program, bool has_ambient);
 

@@ -68,8 +68,8 @@ static Rectangle find_casters(const SceneCasters *casters, double clip[4][4])
     return r;
 }
 
-/* Spreads a square around the casters over the map, with a margin for filters. A view in which there
- * are none stays. */
+/* Spreads a square around the casters over the map, with a margin for filters. A view in which
+ * there are none stays. */
 static void fit_casters(const SceneCasters *casters, LightView *view)
 {
     static const Rectangle whole = { { -1, -1 }, { 1, 1 } };
@@ -244,11 +244,11 @@ static void turn(double from[4][4], const double way[2], double to[4][4])
  * before, on the map. All that lies along a ray of the light has one place on the map: what is seen
  * decides, and whatever shades it is there with it.
  *
- * It stands for perspective shadow maps (Stamminger and Drettakis, SIGGRAPH 2002), which warp by the
- * eye's own matrix. That turns inside out what is behind the eye, so that the eye must be moved back
- * until it sees all casters, and the map's quality jumps as it does; lights become points or sinks
- * of light by the side they are on. A perspective of the light's own space, square to its rays, has
- * neither, and its strength can be chosen.
+ * It stands for perspective shadow maps (Stamminger and Drettakis, SIGGRAPH 2002), which warp by
+ * the eye's own matrix. That turns inside out what is behind the eye, so that the eye must be moved
+ * back until it sees all casters, and the map's quality jumps as it does; lights become points or
+ * sinks of light by the side they are on. A perspective of the light's own space, square to its
+ * rays, has neither, and its strength can be chosen.
  *
  * The view stays as it is where the eye looks along the light's rays (duelling frusta: what is near
  * and what is far then share a place on the map, and no warp of it can tell them apart), and where

@@ -40,9 +40,10 @@ typedef struct ShadowSetting {
 } ShadowSetting;
 
 /* Bias or slope that says: choose. Slope: a texel's depth may be off by what a surface rises over
- * half a texel in u and in v, so at most its slope; twice that where four texels are compared. Bias:
- * a step of the format; in the plain method, which knows no slope, the rise of a steep surface over a
- * texel half way between near and far. Neither where an offset or far sides do their work. */
+ * half a texel in u and in v, so at most its slope; twice that where four texels are compared.
+ * Bias: a step of the format; in the plain method, which knows no slope, the rise of a steep
+ * surface over a texel half way between near and far. Neither where an offset or far sides do their
+ * work. */
 #define SHADOW_AUTO (-1.0)
 
 extern const ShadowSetting shadow_defaults;

@@ -102,8 +102,8 @@ static void draw_splats(const ShadowBuild *build, const ShadowLight *light)
                      build->frame);
 }
 
-/* Volumes, and what is blended by depth, as the scene has them: they cast no shadows, receive none, and
- * leave alpha as it is. */
+/* Volumes, and what is blended by depth, as the scene has them: they cast no shadows, receive none,
+ * and leave alpha as it is. */
 static void draw_over(const ShadowBuild *build)
 {
     enum { ALPHA = 8 }; /* channel of a target */

@@ -266,7 +266,8 @@ static GpResult find_truth_error(void *made, int threads, GpError *error)
 
 static const char *const metrics[] = { "acne", "leak", "rmse", "covered", NULL };
 
-/* Alpha is the visibility; where depth stayed clear, nothing was drawn. in: pixels from `first` on */
+/* Alpha is the visibility; where depth stayed clear, nothing was drawn. in: pixels from `first`
+ * on */
 static void read_visibility(const Frame *frame, size_t first, size_t pixels, float *visibility)
 {
     for (size_t i = 0; i < pixels; i++) {

@@ -1,6 +1,6 @@
 #include "apps/techniques/volume/methods.h"
 
-/* --- rays --------------------------------------------------------------------------------------- */
+/* --- rays ------------------------------------------------------------------------------------- */
 
 static GpResult classify_rays(VolumeModel *model, GpError *error)
 {
@@ -39,7 +39,7 @@ static void close_rays(VolumeModel *model)
     raycast_close(&model->rays);
 }
 
-/* --- slices ------------------------------------------------------------------------------------- */
+/* --- slices ----------------------------------------------------------------------------------- */
 
 static GpResult classify_slices(VolumeModel *model, GpError *error)
 {
@@ -74,7 +74,7 @@ static void close_slices(VolumeModel *model)
     slices_close(&model->slices);
 }
 
-/* --- splats ------------------------------------------------------------------------------------- */
+/* --- splats ----------------------------------------------------------------------------------- */
 
 static GpResult add_splats(VolumeModel *model, const VolumeOptions *options,
                            const VolumeTarget *target, Frame *frame, GpError *error)

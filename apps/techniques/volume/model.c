@@ -59,7 +59,7 @@ void volume_model_close(void *made)
     gp_free(model);
 }
 
-/* --- truths ------------------------------------------------------------------------------------- */
+/* --- truths ----------------------------------------------------------------------------------- */
 
 GpResult volume_model_data(VolumeModel *model, int threads, GpError *error)
 {

@@ -100,7 +100,7 @@ const SettingField volume_settings[] = {
 
 _Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two angles");
 
-/* --- what goes together ------------------------------------------------------------------------- */
+/* --- what goes together ----------------------------------------------------------------------- */
 
 /* Options of one method, which mean it where none is named, and are refused beside another. */
 static const struct {

@@ -11,7 +11,7 @@
 #define BONSAI "volumes/bonsai.raw.gz"
 #define HEAD   "volumes/vismale.raw.gz"
 
-/* --- 003.1: slots -------------------------------------------------------------------------------- */
+/* --- 003.1: slots ----------------------------------------------------------------------------- */
 
 static const PaperColumn slot_columns[] = {
     { "ewa", PAPER_BOTH, 0 },
@@ -60,7 +60,7 @@ static const PaperTable slots = {
     .measure = measure_slots,
 };
 
-/* --- what is drawn ------------------------------------------------------------------------------- */
+/* --- what is drawn ---------------------------------------------------------------------------- */
 
 /* Engine and bonsai have transfer functions of their own. */
 static GpResult set_transfer(const PaperRow *row, VolumeModel *model, GpError *error)
@@ -80,7 +80,7 @@ static GpResult find_fps(const TechniqueClock *clock, const Technique *technique
     return result;
 }
 
-/* --- 003.2: adaptive filters --------------------------------------------------------------------- */
+/* --- 003.2: adaptive filters ------------------------------------------------------------------ */
 
 enum { EWA_NEAR, ADAPTIVE_NEAR, EWA_FAR, ADAPTIVE_FAR, BOUNDED_NEAR, BOUNDED_FAR };
 
@@ -147,7 +147,7 @@ static const PaperTable gain = {
     .measure = measure_gain,
 };
 
-/* --- 003.4: modes -------------------------------------------------------------------------------- */
+/* --- 003.4: modes ----------------------------------------------------------------------------- */
 
 enum { SPLATS, FIRST_FPS, FIRST_MB = FIRST_FPS + VOXEL_MODES };
 

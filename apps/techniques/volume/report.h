@@ -8,8 +8,8 @@
 GpResult volume_report(void *model, const void *options, const Frame *frame, GpDevice *device,
                        TechniqueReport *report, GpError *error);
 
-/* How far a picture is off: dB against what the data are, and against what its method stands for, which
- * is the same for all but splats of classified samples. */
+/* How far a picture is off: dB against what the data are, and against what its method stands for,
+ * which is the same for all but splats of classified samples. */
 typedef struct VolumeError {
     double psnr_data, psnr_method;
 } VolumeError;

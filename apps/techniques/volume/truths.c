@@ -41,8 +41,8 @@ GpResult volume_truth_of_data(const VolumeSource *source, const VolumeView *view
     return result ? gp_fail(error, result, "no memory for the truth") : GP_OK;
 }
 
-/* So many a side of a pixel that neither the filter nor a kernel falls between two: the least of both
- * is to be 0.8 of their distance wide. */
+/* So many a side of a pixel that neither the filter nor a kernel falls between two: the least of
+ * both is to be 0.8 of their distance wide. */
 static uint32_t rays_of(const VolumeSource *source, const VolumeView *view,
                         const VolumeKernel *kernel)
 {
@@ -76,7 +76,7 @@ GpResult volume_truth_of_kernels(const VolumeSource *source, const VolumeView *v
     return result ? gp_fail(error, result, "no memory for the truth") : GP_OK;
 }
 
-/* --- errors ------------------------------------------------------------------------------------- */
+/* --- errors ----------------------------------------------------------------------------------- */
 
 /* How far a pixel of A8R8G8B8 is above the truth: red, green, blue. */
 static void pixel_off(const VolumePicture *truth, size_t at, const GpSurface *picture,

@@ -29,7 +29,8 @@ double volume_rmse(const VolumePicture *truth, const GpSurface *picture);
 /* The same as peak signal to noise ratio, in dB; 200 where nothing is off. */
 double volume_psnr(double rmse);
 
-/* How much brighter than the truth each pixel is, as the mean of its channels. out off: [height][width] */
+/* How much brighter than the truth each pixel is, as the mean of its channels. out off:
+ * [height][width] */
 void volume_difference(const VolumePicture *truth, const GpSurface *picture, float *off);
 
 #endif

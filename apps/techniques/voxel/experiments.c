@@ -36,8 +36,8 @@ static const char *const usual_solid[] = { "xor", NULL };
 
 /* --- truth ------------------------------------------------------------------------------------ */
 
-/* Metrics are against the exact voxels of a frame's own size, the error against the model, so that it
- * tells what a finer volume is worth. voxel_truths finds each when a frame is measured. */
+/* Metrics are against the exact voxels of a frame's own size, the error against the model, so that
+ * it tells what a finer volume is worth. voxel_truths finds each when a frame is measured. */
 static GpResult find_truth(void *scene, int threads, GpError *error)
 {
     VoxelModels *models = scene;
@@ -55,7 +55,8 @@ static VoxelTruthKind truth_of(const VoxelSetting *setting)
     return setting->method == VOXEL_THIN ? VOXEL_TRUTH_SAMPLED : VOXEL_TRUTH_TOUCHED;
 }
 
-/* The voxels of a flat texture that are not 0, as bits. NULL without memory; the caller frees them. */
+/* The voxels of a flat texture that are not 0, as bits. NULL without memory; the caller frees
+ * them. */
 static uint8_t *bits_of(const FlatTexture *flat)
 {
     const size_t count = (size_t)flat->size * flat->size * flat->size, each = flat->bits / 8;
@@ -224,7 +225,7 @@ const Experiment voxel_experiments[] = {
     { .name = NULL },
 };
 
-/* --- scaling ----------------------------------------------------------------------------------- */
+/* --- scaling ---------------------------------------------------------------------------------- */
 
 static double voxels_a_side(const void *scene, const Frame *frame)
 {

@@ -1,5 +1,5 @@
-/* What charts draw of voxelization: surfaces and solids against their truths, since what is right in
- * one is wrong in the other; and how time grows. */
+/* What charts draw of voxelization: surfaces and solids against their truths, since what is right
+ * in one is wrong in the other; and how time grows. */
 #ifndef APPS_TECHNIQUES_VOXEL_EXPERIMENTS_H
 #define APPS_TECHNIQUES_VOXEL_EXPERIMENTS_H
 

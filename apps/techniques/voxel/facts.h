@@ -22,9 +22,10 @@ typedef struct VoxelFacts {
 /* Facts of the mesh alone. errors GP_ERROR_MEMORY */
 GpResult voxel_facts_find(const VoxelScene *scene, VoxelFacts *facts, GpError *error);
 
-/* Adds those of its solids: the exact parity along each axis (voxel_winding.h) of the mesh in its own
- * box, whole and not twisted. The pipeline's own solids are the same but beside the surface, where it
- * snaps corners to 1/256 of a voxel: held against each other they would disagree there, of any mesh.
+/* Adds those of its solids: the exact parity along each axis (voxel_winding.h) of the mesh in its
+ * own box, whole and not twisted. The pipeline's own solids are the same but beside the surface,
+ * where it snaps corners to 1/256 of a voxel: held against each other they would disagree there, of
+ * any mesh.
  * errors GP_ERROR_MEMORY */
 GpResult voxel_facts_find_solids(const VoxelScene *scene, uint32_t size, VoxelFacts *facts,
                                  GpError *error);

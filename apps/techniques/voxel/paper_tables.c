@@ -10,7 +10,7 @@ static double megabytes(size_t bytes)
     return (double)bytes / (1 << 20);
 }
 
-/* --- 2.1: the steps of models of different size ------------------------------------------------- */
+/* --- 2.1: the steps of models of different size ----------------------------------------------- */
 
 enum { SIZE = 256 };
 #define AT_SIZE " --size 256" /* the same */
@@ -93,7 +93,7 @@ static const PaperTable steps = {
     .measure = measure_steps,
 };
 
-/* --- 2.2: one model in volumes of several sizes and depths, and pictures of them ---------------- */
+/* --- 2.2: one model in volumes of several sizes and depths, and pictures of them -------------- */
 
 enum { PICTURE = 512 }; /* pixels a side; the print does not say */
 

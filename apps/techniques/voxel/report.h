@@ -1,5 +1,5 @@
-/* What is worth saying of a voxelization: how many voxels, where two models touch, whether a mesh is
- * closed. */
+/* What is worth saying of a voxelization: how many voxels, where two models touch, whether a mesh
+ * is closed. */
 #ifndef APPS_TECHNIQUES_VOXEL_REPORT_H
 #define APPS_TECHNIQUES_VOXEL_REPORT_H
 

@@ -12,7 +12,7 @@ const char voxel_solid_truth[] =
     "double precision. The exact voxels of each size, for missing and extra, are those whose "
     "centre is inside in the same way.";
 
-/* --- sentences that stand in more than one table, or under the option's name as well ------------ */
+/* --- sentences that stand in more than one table, or under the option's name as well ---------- */
 
 static const char voxels[] =
     "How many voxels, the small cubes that the volume is made of, are set.";
@@ -49,7 +49,7 @@ static const char faces[] =
     "The model's depths as seen from the six faces of its box; what lies behind all of them is "
     "inside, so that cavities and bends that no face sees are filled.";
 
-/* --- tables ------------------------------------------------------------------------------------ */
+/* --- tables ----------------------------------------------------------------------------------- */
 
 const TechniqueWord voxel_surface_words[] = {
     { "RMS distance, thousandths of the model's size",

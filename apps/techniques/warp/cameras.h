@@ -13,8 +13,8 @@ Camera camera_beside(const Bounds *bounds, OrbitUp up, double aspect);
 /* Turned to the right about what a camera looks at, with near and far about the box. */
 Camera camera_turned(const Camera *camera, const Bounds *bounds, double degrees);
 
-/* The camera that takes a planar image, and looks at the middle of what it shows; its picture is about
- * the eye and may be larger. */
+/* The camera that takes a planar image, and looks at the middle of what it shows; its picture is
+ * about the eye and may be larger. */
 Camera camera_of_plane(const DepthPlane *plane, const Bounds *bounds);
 
 /* The box of all that the images show; about the first one's own place where that is nothing. */

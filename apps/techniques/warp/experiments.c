@@ -52,7 +52,7 @@ static GpResult find_difference(void *made, const void *setting, GpDevice *devic
     return result;
 }
 
-/* --- colours ------------------------------------------------------------------------------------ */
+/* --- colours ---------------------------------------------------------------------------------- */
 
 static const char *const color_metrics[] = { "decibels", "missing",    "extra",
                                              "depth",    "mean depth", NULL };
@@ -70,7 +70,7 @@ static GpResult measure_color(void *model, const Frame *frame, TechniqueError *m
     return result;
 }
 
-/* --- silhouettes -------------------------------------------------------------------------------- */
+/* --- silhouettes ------------------------------------------------------------------------------ */
 
 static const char *const outline_metrics[] = { "missing", "extra", NULL };
 
@@ -86,7 +86,7 @@ static GpResult measure_outline(void *model, const Frame *frame, TechniqueError 
     return result;
 }
 
-/* --- depth -------------------------------------------------------------------------------------- */
+/* --- depth ------------------------------------------------------------------------------------ */
 
 static const char *const depth_metrics[] = { "depth", NULL };
 

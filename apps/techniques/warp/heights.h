@@ -13,16 +13,16 @@ typedef struct WarpHeights {
     uint32_t repeat;    /* of the picture across an image */
 } WarpHeights;
 
-/* Reads the picture of the options, if any: its fourth channel where it has one, as pictures of normals with
- * heights do, else the first.
+/* Reads the picture of the options, if any: its fourth channel where it has one, as pictures of
+ * normals with heights do, else the first.
  * in     bounds: of what is seen; a relief of no depth stands out by a fiftieth of its longest side
  * errors those of gp_data_find and picture_read; GP_ERROR_MEMORY */
 GpResult warp_heights_open(const WarpOptions *options, const Bounds *bounds, WarpHeights *heights,
                            GpError *error);
 void warp_heights_close(WarpHeights *heights);
 
-/* The relief on an image: its squares stay squares, and are as large on all images of a model. Caps of
- * cylinders have none. */
+/* The relief on an image: its squares stay squares, and are as large on all images of a model. Caps
+ * of cylinders have none. */
 WarpDetail warp_heights_on(const WarpHeights *heights, const DepthModel *model, uint32_t image);
 
 /* Leans the normals of all images by it. errors GP_ERROR_MEMORY */

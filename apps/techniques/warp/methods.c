@@ -18,7 +18,7 @@ static const WarpRow *const rows[WARP_METHODS] = {
     [WARP_BUMP] = &warp_bump,
 };
 
-/* --- what is kept ------------------------------------------------------------------------------- */
+/* --- what is kept ----------------------------------------------------------------------------- */
 
 /* Of settings that differ in nothing else it is made once. */
 struct WarpMade {
@@ -73,7 +73,7 @@ void warp_methods_close(WarpModel *model)
         }
 }
 
-/* --- drawing ------------------------------------------------------------------------------------ */
+/* --- drawing ---------------------------------------------------------------------------------- */
 
 static GpResult add_images(WarpModel *model, const WarpOptions *options, const WarpView *view,
                            const WarpTarget *target, GpDevice *device, Frame *frame, GpError *error)

@@ -4,10 +4,11 @@
 
 #include "apps/techniques/warp/model.h"
 
-/* Appends the passes that draw a setting's picture over the target; makes first, once, what the method
- * keeps of the images.
+/* Appends the passes that draw a setting's picture over the target; makes first, once, what the
+ * method keeps of the images.
  * in     device: to capture with
- * errors GP_ERROR_MEMORY; GP_ERROR_INVALID: the method does not go with what is drawn, with the reason */
+ * errors GP_ERROR_MEMORY; GP_ERROR_INVALID: the method does not go with what is drawn, with the
+ *        reason */
 GpResult warp_methods_add(WarpModel *model, const WarpOptions *options, const WarpView *view,
                           const WarpTarget *target, GpDevice *device, Frame *frame, GpError *error);
 

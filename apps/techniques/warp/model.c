@@ -17,7 +17,8 @@ enum { DEFAULT_SIDE = 512 };
 
 /* --- the mesh --------------------------------------------------------------------------------- */
 
-/* One colour for all vertices: of the setting, or where there are none. Shapes are white, which is none. */
+/* One colour for all vertices: of the setting, or where there are none. Shapes are white, which is
+ * none. */
 static GpResult paint(const char *name, const char *color, GpMesh *mesh)
 {
     const uint8_t *one = color ? model_color(color) : NULL;

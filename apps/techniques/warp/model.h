@@ -1,5 +1,5 @@
-/* What is warped, once it has been opened: a mesh and what was captured of it, or an image from a file;
- * how it is seen, and what methods have made of it. */
+/* What is warped, once it has been opened: a mesh and what was captured of it, or an image from a
+ * file; how it is seen, and what methods have made of it. */
 #ifndef APPS_TECHNIQUES_WARP_MODEL_H
 #define APPS_TECHNIQUES_WARP_MODEL_H
 
@@ -63,7 +63,8 @@ GpResult warp_model_images(WarpModel *model, const WarpOptions *options, GpDevic
                            WarpImages **images, GpError *error);
 
 /* The truth of a setting's view, found once.
- * errors GP_ERROR_INVALID: there is none, with the reason; GP_ERROR_MEMORY; those of the truth's file */
+ * errors GP_ERROR_INVALID: there is none, with the reason; GP_ERROR_MEMORY; those of the truth's
+ *      file */
 GpResult warp_model_truth(WarpModel *model, const WarpOptions *options, int threads,
                           const RayPicture **truth, GpError *error);
 

@@ -158,10 +158,10 @@ bool warp_method_draws(WarpMethod method, WarpKind kind)
     return draws[method] >> kind & 1;
 }
 
-/* --- what goes together ------------------------------------------------------------------------- */
+/* --- what goes together ----------------------------------------------------------------------- */
 
-/* Options of some methods alone. Where no method is named they mean the first of them, unless auto is one;
- * beside others they are refused. */
+/* Options of some methods alone. Where no method is named they mean the first of them, unless auto
+ * is one; beside others they are refused. */
 static const struct {
     const char *option;
     uint32_t methods;

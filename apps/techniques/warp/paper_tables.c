@@ -20,7 +20,7 @@ static GpResult find_fps(const TechniqueClock *clock, const Technique *technique
     return result;
 }
 
-/* --- 001.1: against polygons ---------------------------------------------------------------------- */
+/* --- 001.1: against polygons ------------------------------------------------------------------ */
 
 enum { PRINTED_512, PRINTED_256, TRIANGLES, POLYGONS, OURS_512, OURS_256 };
 
@@ -78,7 +78,7 @@ static const PaperTable against_polygons = {
     .measure = measure_polygons,
 };
 
-/* --- 001.2: against rivals ------------------------------------------------------------------------ */
+/* --- 001.2: against rivals -------------------------------------------------------------------- */
 
 static const PaperColumn rival_columns[] = {
     { "ours", PAPER_BOTH, 2 },   { "displacement", PAPER_BOTH, 2 }, { "dmesh", PAPER_BOTH, 2 },

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* --- sizes -------------------------------------------------------------------------------------- */
+/* --- sizes ------------------------------------------------------------------------------------ */
 
 /* Of passes that look at the model, which is all but those of a rectangle. */
 static double count_triangles(const Frame *frame)
@@ -36,7 +36,7 @@ void warp_tell_size(const WarpModel *model, const Frame *frame, json_t *members)
     json_object_set_new(members, "source_pixels", json_integer((json_int_t)count_pixels(model)));
 }
 
-/* --- errors ------------------------------------------------------------------------------------- */
+/* --- errors ----------------------------------------------------------------------------------- */
 
 void warp_tell_error(const WarpError *off, json_t *members)
 {
@@ -66,7 +66,7 @@ static GpResult measure(WarpModel *model, const Frame *frame, int threads, Techn
     return GP_OK;
 }
 
-/* --- views -------------------------------------------------------------------------------------- */
+/* --- views ------------------------------------------------------------------------------------ */
 
 static json_t *json_of_vector(const double vector[3])
 {

@@ -11,7 +11,7 @@ WARP_ROW_KEEPS(dmesh);
 WARP_ROW_KEEPS(relief_texture);
 WARP_ROW_KEEPS(parallax);
 
-/* --- meshes -------------------------------------------------------------------------------------- */
+/* --- meshes ----------------------------------------------------------------------------------- */
 
 static GpResult open_simplified(const DepthImage *image, const WarpOptions *options, void *made,
                                 GpError *error)
@@ -28,7 +28,7 @@ static GpResult add_dmesh(void *made, const WarpUse *use, const WarpView *view,
     return dmesh_add(made, &setting, view, target, frame, error);
 }
 
-/* --- rays ---------------------------------------------------------------------------------------- */
+/* --- rays ------------------------------------------------------------------------------------- */
 
 static GpResult add_relief(void *made, const WarpUse *use, const WarpView *view,
                            const WarpTarget *target, Frame *frame, GpError *error)
@@ -57,7 +57,7 @@ static GpResult add_displacement(void *made, const WarpUse *use, const WarpView 
     return displacement_add(made, &setting, view, target, frame, error);
 }
 
-/* --- pictures on rectangles ---------------------------------------------------------------------- */
+/* --- pictures on rectangles ------------------------------------------------------------------- */
 
 static GpResult add_relief_texture(void *made, const WarpUse *use, const WarpView *view,
                                    const WarpTarget *target, Frame *frame, GpError *error)
@@ -82,7 +82,7 @@ static GpResult add_bump(void *made, const WarpUse *use, const WarpView *view,
     return parallax_add(made, &setting, view, target, frame, error);
 }
 
-/* --- rows ---------------------------------------------------------------------------------------- */
+/* --- rows ------------------------------------------------------------------------------------- */
 
 const WarpRow warp_relief = { sizeof(Relief), open_relief, close_relief, add_relief,
                               direct_warning };

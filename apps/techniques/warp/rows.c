@@ -7,7 +7,7 @@ WARP_ROW_KEEPS(direct);
 WARP_ROW_KEEPS(planar);
 WARP_ROW_KEEPS(cylinder);
 
-/* --- this project's ------------------------------------------------------------------------------ */
+/* --- this project's --------------------------------------------------------------------------- */
 
 static DirectSetting direct_setting(const WarpUse *use)
 {
@@ -57,7 +57,7 @@ static GpResult add_surface(void *made, const WarpUse *use, const WarpView *view
     return surface_add(made, &setting, view, target, frame, error);
 }
 
-/* --- as printed ---------------------------------------------------------------------------------- */
+/* --- as printed ------------------------------------------------------------------------------- */
 
 static GpResult add_planar(void *made, const WarpUse *use, const WarpView *view,
                            const WarpTarget *target, Frame *frame, GpError *error)
@@ -76,7 +76,7 @@ static GpResult add_cylinder(void *made, const WarpUse *use, const WarpView *vie
     return cylinder_add(made, &setting, view, target, frame, error);
 }
 
-/* --- rows ---------------------------------------------------------------------------------------- */
+/* --- rows ------------------------------------------------------------------------------------- */
 
 const WarpRow warp_layers = { sizeof(Direct), open_direct, close_direct, add_layers,
                               direct_warning };

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-/* --- of a mesh ------------------------------------------------------------------------------------ */
+/* --- of a mesh -------------------------------------------------------------------------------- */
 
 static GpResult cast(const Polygons *mesh, const WarpView *view, const TruthScene *triangles,
                      int threads, RayPicture *truth, GpError *error)
@@ -63,7 +63,7 @@ GpResult warp_truth_of_mesh(const Polygons *mesh, const WarpView *view, int thre
     return result;
 }
 
-/* --- of a depth image ------------------------------------------------------------------------------ */
+/* --- of a depth image ------------------------------------------------------------------------- */
 
 /* Eyes within a millionth of the picture's distances are one. */
 static bool is_of_eye(const DepthPlane *plane, const Camera *camera)
@@ -111,7 +111,7 @@ GpResult warp_truth_of_image(const DepthImage *image, const WarpView *view, RayP
     return GP_OK;
 }
 
-/* --- errors ------------------------------------------------------------------------------------- */
+/* --- errors ----------------------------------------------------------------------------------- */
 
 /* How far a pixel of A8R8G8B8 is above the truth, on black: red, green, blue. */
 static void pixel_off(const RayPicture *truth, size_t at, const uint8_t *texel, double off[3])

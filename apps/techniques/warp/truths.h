@@ -20,8 +20,8 @@ typedef struct WarpError {
 GpResult warp_truth_of_mesh(const Polygons *mesh, const WarpView *view, int threads,
                             RayPicture *truth, GpError *error);
 
-/* A depth image that was taken from the eye of the view: of each pixel the one of the image that the ray
- * through its centre falls into.
+/* A depth image that was taken from the eye of the view: of each pixel the one of the image that
+ * the ray through its centre falls into.
  * errors GP_ERROR_INVALID: it is none of such an eye, with the reason; GP_ERROR_MEMORY */
 GpResult warp_truth_of_image(const DepthImage *image, const WarpView *view, RayPicture *truth,
                              GpError *error);

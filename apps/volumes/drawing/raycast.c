@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* --- classification ------------------------------------------------------------------------------ */
+/* --- classification --------------------------------------------------------------------------- */
 
 enum { PER_VALUE = 4, ENTRIES = (FIELD_VALUES - 1) * PER_VALUE + 1 };
 
@@ -27,7 +27,7 @@ static GpSurface *make_table(const Transfer *transfer, double step, Frame *frame
     return table;
 }
 
-/* --- rays ---------------------------------------------------------------------------------------- */
+/* --- rays ------------------------------------------------------------------------------------- */
 
 static void find_box(const Field *field, double corners[8][3])
 {
@@ -131,7 +131,7 @@ static RaycastUniforms uniforms_of(const RaycastVolume *volume, const VolumeView
     return uniforms;
 }
 
-/* --- what is drawn ------------------------------------------------------------------------------- */
+/* --- what is drawn ---------------------------------------------------------------------------- */
 
 static const GpSampler points = { .address_u = GP_CLAMP, .address_v = GP_CLAMP };
 
@@ -214,7 +214,7 @@ GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const Raycas
     return frame_result(frame, error);
 }
 
-/* --- what is seen through it --------------------------------------------------------------------- */
+/* --- what is seen through it ------------------------------------------------------------------ */
 
 bool raycast_is_before(const RaycastVolume *volume, const VolumeView *view, double body[8][3])
 {

@@ -1,4 +1,5 @@
-/* Volumes by rays: passes of the programs shaders_c/volume/raycast.h, and what is seen through them. */
+/* Volumes by rays: passes of the programs shaders_c/volume/raycast.h, and what is seen through
+ * them. */
 #ifndef APPS_VOLUMES_DRAWING_RAYCAST_H
 #define APPS_VOLUMES_DRAWING_RAYCAST_H
 
@@ -18,12 +19,12 @@ typedef struct RaycastSetting {
 GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const RaycastSetting *setting,
                      const VolumeTarget *target, Frame *frame, GpError *error);
 
-/* Whether the volume is before any of a body, on the same pixels. in: the body's corners, in the field's
- * space */
+/* Whether the volume is before any of a body, on the same pixels. in: the body's corners, in the
+ * field's space */
 bool raycast_is_before(const RaycastVolume *volume, const VolumeView *view, double body[8][3]);
 
-/* Makes a draw of phong_program one of what is seen through the volume, which the target holds already
- * (shaders_c/volume/through.h).
+/* Makes a draw of phong_program one of what is seen through the volume, which the target holds
+ * already (shaders_c/volume/through.h).
  * in   to_field: row i takes the world to axis i of the field's space
  * errors GP_ERROR_MEMORY */
 GpResult raycast_see_through(RaycastVolume *volume, const VolumeView *view,

@@ -6,7 +6,7 @@
 
 _Static_assert((int)VOLUME_BRICK == (int)BRICK_SIDE, "bricks are those of the shader");
 
-/* --- flat textures ------------------------------------------------------------------------------ */
+/* --- flat textures ---------------------------------------------------------------------------- */
 
 /* Patches of all ways, one way below the other. */
 static GpResult make_runs(RaycastVolume *volume, GpError *error)

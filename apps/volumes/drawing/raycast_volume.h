@@ -6,8 +6,8 @@
 #include "apps/volumes/bricks.h"
 #include "apps/volumes/transfer.h"
 
-/* A field, and a transfer function, as rays read them. A zeroed one is empty. Owned by whoever made it,
- * until raycast_close; what frames refer to stays while they are run. */
+/* A field, and a transfer function, as rays read them. A zeroed one is empty. Owned by whoever made
+ * it, until raycast_close; what frames refer to stays while they are run. */
 typedef struct RaycastVolume {
     const Field *field; /* borrowed */
     Transfer transfer;
@@ -20,12 +20,13 @@ typedef struct RaycastVolume {
 } RaycastVolume;
 
 /* Makes what stays the same from frame to frame. The transfer function is yet to come.
- * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: more samples than a flat texture has room for, some 200
- *        million */
+ * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: more samples than a flat texture has room for, some
+ *        200 million */
 GpResult raycast_open(const Field *field, RaycastVolume *volume, GpError *error);
 void raycast_close(RaycastVolume *volume);
 
-/* Takes a transfer function, the first or another. Frames that were made before are to be made anew. */
+/* Takes a transfer function, the first or another. Frames that were made before are to be made
+ * anew. */
 void raycast_classify(RaycastVolume *volume, const Transfer *transfer);
 
 /* Fills in runs that are not there yet, of the ways that bits stand for. errors GP_ERROR_MEMORY */

@@ -10,7 +10,7 @@
 
 enum { CELL = 2 /* bricks along the sides of what is drawn or not */ };
 
-/* --- what stays ------------------------------------------------------------------------------------ */
+/* --- what stays ------------------------------------------------------------------------------- */
 
 GpResult slices_open(const Field *field, SlicesVolume *volume, GpError *error)
 {
@@ -96,7 +96,7 @@ static GpResult make_slices(SlicesVolume *volume, int axis, GpError *error)
     return result;
 }
 
-/* --- a frame's planes ------------------------------------------------------------------------------- */
+/* --- a frame's planes ------------------------------------------------------------------------- */
 
 /* Colour, and log2 of what a unit leaves: [value * PER_VALUE]. */
 enum { PER_VALUE = 4, ENTRIES = (FIELD_VALUES - 1) * PER_VALUE + 1 };
@@ -224,7 +224,7 @@ static void find_uniforms(const VolumeView *view, const CameraAxes *axes, Planes
     uniforms->diffuse = 0.75f;
 }
 
-/* --- passes ----------------------------------------------------------------------------------------- */
+/* --- passes ----------------------------------------------------------------------------------- */
 
 static const float nothing[4] = { 0 };
 
@@ -239,7 +239,8 @@ static GpDraw *draw_whole(const GpProgram *program, const GpSurface *local, Fram
     return draw;
 }
 
-/* Opaque pixels are marked in a depth buffer of the frame's own: that of the target stays as it is. */
+/* Opaque pixels are marked in a depth buffer of the frame's own: that of the target stays as it
+ * is. */
 static void begin(Planes *planes)
 {
     Frame *frame = planes->frame;
@@ -286,8 +287,9 @@ static void put_over(const Planes *planes)
         (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA };
 }
 
-/* The next plane from the front; those before ends[0] and from ends[1] on are to come. No ray meets planes on both sides of the eye, so those of each side are in order
- * where all go by their distance. */
+/* The next plane from the front; those before ends[0] and from ends[1] on are to come. No ray meets
+ * planes on both sides of the eye, so those of each side are in order where all go by their
+ * distance. */
 static uint32_t from_front(const Planes *planes, uint32_t ends[2])
 {
     const double low = (ends[0] - 0.5) * planes->thickness;

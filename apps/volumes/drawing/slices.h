@@ -1,9 +1,10 @@
 /* Volumes as planes between their slices: passes of the programs shaders_c/volume/slices.h.
  *
- * Planes stand across the axis that is nearest to the view, and are put one under the other, front to back,
- * in a picture of their own, which then lies over the target. Each is drawn where something can be seen in
- * the slab that it stands for; now and then pixels that let nothing through any more are marked, and
- * drawn no more. The whole is one group of passes.
+ * Planes stand across the axis that is nearest to the view, and are put one under the other, front
+ * to back,
+ * in a picture of their own, which then lies over the target. Each is drawn where something can be
+ * seen in the slab that it stands for; now and then pixels that let nothing through any more are
+ * marked, and drawn no more. The whole is one group of passes.
  */
 #ifndef APPS_VOLUMES_DRAWING_SLICES_H
 #define APPS_VOLUMES_DRAWING_SLICES_H
@@ -17,8 +18,8 @@ typedef struct SlicesSetting {
     uint32_t cull;  /* planes after which opaque pixels are marked; 0: 16 */
 } SlicesSetting;
 
-/* A field, and a transfer function, as planes read them. A zeroed one is empty. Owned by whoever made it,
- * until slices_close; what frames refer to stays while they are run. */
+/* A field, and a transfer function, as planes read them. A zeroed one is empty. Owned by whoever
+ * made it, until slices_close; what frames refer to stays while they are run. */
 typedef struct SlicesVolume {
     const Field *field; /* borrowed */
     Transfer transfer;
@@ -32,10 +33,12 @@ typedef struct SlicesVolume {
 GpResult slices_open(const Field *field, SlicesVolume *volume, GpError *error);
 void slices_close(SlicesVolume *volume);
 
-/* Takes a transfer function, the first or another. Frames that were made before are to be made anew. */
+/* Takes a transfer function, the first or another. Frames that were made before are to be made
+ * anew. */
 void slices_classify(SlicesVolume *volume, const Transfer *transfer);
 
-/* Appends passes "slices", "opaque" and "slices-over" that draw the volume over what the target holds.
+/* Appends passes "slices", "opaque" and "slices-over" that draw the volume over what the target
+ * holds.
  * in   volume: classified; slices across the axis of the view are added to it
  * errors GP_ERROR_MEMORY */
 GpResult slices_add(SlicesVolume *volume, const VolumeView *view, const SlicesSetting *setting,

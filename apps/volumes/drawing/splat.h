@@ -34,8 +34,9 @@ void volume_splats_free(VolumeSplats *splats);
 /* Voxels that a transfer function shows. */
 uint64_t volume_splats_count(const VolumeSplats *splats);
 
-/* Bytes that each of these takes in a mode, in vertex buffers of all three directions and in textures; of
- * quads without the indices and corners, which all runs share, and of VOXELS_IM without its draws.
+/* Bytes that each of these takes in a mode, in vertex buffers of all three directions and in
+ * textures; of quads without the indices and corners, which all runs share, and of VOXELS_IM
+ * without its draws.
  * source paper 003, table 4 */
 double volume_splats_bytes(const VolumeSplats *splats, VoxelMode mode);
 

@@ -96,8 +96,8 @@ void voxel_eye_place(const VoxelEye *eye, const double place[3], double at[3])
                 eye->row[i][3];
 }
 
-/* The longer axis of a footprint that J stretches is at most sqrt(1 + (x^2 + y^2) / z^2) that of the round
- * one. */
+/* The longer axis of a footprint that J stretches is at most sqrt(1 + (x^2 + y^2) / z^2) that of
+ * the round one. */
 double voxel_eye_project(const VoxelEye *eye, const double at[3], double pixel[2])
 {
     const double scale = eye->parallel ? eye->focal : eye->focal / at[2];

@@ -1,10 +1,11 @@
 /* How volumes may be splatted.
  *
- * Each voxel that can be seen has a kernel, exp(-r^2 / (2 deviation^2)) of the distance r in samples
- * along the volume's own axes, cut where r is KERNEL_CUT deviations, and as high as makes its integral 1
- * in units of a sample's cell: a volume of one value sums to this value, within a ripple of
- * 6 exp(-2 pi^2 deviation^2). A voxel of opacity a adds extinction -ln(1 - a) times its kernel, in its
- * colour. The picture is then filtered by a Gaussian of low_pass pixels.
+ * Each voxel that can be seen has a kernel, exp(-r^2 / (2 deviation^2)) of the distance r in
+ * samples along the volume's own axes, cut where r is KERNEL_CUT deviations, and as high as makes
+ * its integral 1
+ * in units of a sample's cell: a volume of one value sums to this value, within a ripple of 6
+ * exp(-2 pi^2 deviation^2). A voxel of opacity a adds extinction -ln(1 - a) times its kernel, in
+ * its colour. The picture is then filtered by a Gaussian of low_pass pixels.
  *
  * That is what is meant (apps/truth); drawn footprints end sooner, at `cut`.
  */

@@ -33,7 +33,8 @@ static GpSurface *make_look(const VolumeSplats *splats, const VolumeSplatSetting
     return look;
 }
 
-/* Opaque pixels are marked in a depth buffer of the frame's own: that of the target stays as it is. */
+/* Opaque pixels are marked in a depth buffer of the frame's own: that of the target stays as it
+ * is. */
 static void copy_depth(Sheets *sheets)
 {
     static const float corners[] = { -1, -1, 1, -1, 3, 1, 3, -1, 1 };

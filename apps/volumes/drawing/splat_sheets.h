@@ -40,8 +40,8 @@ uint32_t sheets_slice(const Sheets *sheets, uint32_t i);
 /* Extinction of a slab one unit thick that has this opacity. */
 float sheets_extinction(double opacity);
 
-/* Begins the next sheet, front to back: draws then go to it. The other: in a surface of the caller's
- * choice, which puts it under the sum. */
+/* Begins the next sheet, front to back: draws then go to it. The other: in a surface of the
+ * caller's choice, which puts it under the sum. */
 void sheets_begin(Sheets *sheets);
 void sheets_begin_in(Sheets *sheets, uint32_t surface);
 
@@ -52,8 +52,8 @@ void sheets_cover(Sheets *sheets, const SplatCover *cover);
 /* A draw that adds to a sheet, and is hidden by what hides. */
 void sheets_set_state(const Sheets *sheets, GpDraw *draw);
 
-/* Puts what a program makes of sheets under the sum, where they cover the picture; then marks what is
- * opaque, where that is due. */
+/* Puts what a program makes of sheets under the sum, where they cover the picture; then marks what
+ * is opaque, where that is due. */
 void sheets_under(Sheets *sheets, const GpProgram *program, const void *uniforms,
                   const GpTexture *textures, uint32_t texture_count);
 

@@ -12,8 +12,8 @@ GP_INLINE flt flt_fused(flt a, float b, flt c)
     return (flt)GP_NATIVE(fmadd_ps)((gp_native_flt)a, (gp_native_flt)flt_set(b), (gp_native_flt)c);
 }
 
-/* 2^23 + floor(255 v + 0.5), for v from 0 to 2: there floats have no room for fractions, and rounded once
- * only v = 1/2, whose code is even, lies half-way between two. */
+/* 2^23 + floor(255 v + 0.5), for v from 0 to 2: there floats have no room for fractions, and
+ * rounded once only v = 1/2, whose code is even, lies half-way between two. */
 GP_INLINE itg itg_unorm8_above(flt v)
 {
     return (itg)flt_fused(v, 255.0f, flt_set(0x1p23f));
@@ -32,10 +32,10 @@ GP_INLINE flt flt_from_unorm8(itg code)
 #endif
 }
 
-/* The code of an 8-bit channel (R24), floor(255 v + 0.5), for v from 0 to 1: in units of about 2^-25,
- * where 255 v is 256 m - m. The factor is a shade below 2^25, with which the floats on both sides of
- * each of the 255 bounds go the right way (tests/kernel/check_channels.c); the rest follows, since
- * every step keeps the order. */
+/* The code of an 8-bit channel (R24), floor(255 v + 0.5), for v from 0 to 1: in units of about
+ * 2^-25, where 255 v is 256 m - m. The factor is a shade below 2^25, with which the floats on both
+ * sides of each of the 255 bounds go the right way (tests/kernel/check_channels.c); the rest
+ * follows, since every step keeps the order. */
 GP_INLINE itg itg_unorm8(flt v)
 {
 #ifdef GP_FUSED_LANES
@@ -47,8 +47,8 @@ GP_INLINE itg itg_unorm8(flt v)
 }
 
 /* Words whose byte i, from the lowest, is the code of v[i]: up to 2, those above 1 as 1; negative
- * ones and NaN as 0. Or the average of 0 and floor(510 v), which averaging rounds up; rounded toward
- * zero no product reaches a whole number from below. */
+ * ones and NaN as 0. Or the average of 0 and floor(510 v), which averaging rounds up; rounded
+ * toward zero no product reaches a whole number from below. */
 GP_INLINE itg itg_pack_unorm8(const flt v[4])
 {
 #ifdef GP_AVX512_LANES
@@ -84,7 +84,8 @@ GP_INLINE itg itg_pack_unorm8(const flt v[4])
 }
 
 /* Byte i of each word as code / 255, correctly rounded (R23). Written to base 256 the quotient is
- * 0.ccc...; the first bit that 24 cannot hold is c's own leading one, so it is always rounded up. */
+ * 0.ccc...; the first bit that 24 cannot hold is c's own leading one, so it is always rounded
+ * up. */
 GP_INLINE flt flt_unpack_unorm8(itg word, int i)
 {
 #ifdef GP_AVX512_LANES
@@ -98,8 +99,8 @@ GP_INLINE flt flt_unpack_unorm8(itg word, int i)
 #endif
 }
 
-/* The value that a store and a load of an 8-bit channel leave (R23, R24), for v from 0 to 1. Behind 2^15 a
- * float has room for code / 256 and no more. The rest is flt_from_unorm8. */
+/* The value that a store and a load of an 8-bit channel leave (R23, R24), for v from 0 to 1. Behind
+ * 2^15 a float has room for code / 256 and no more. The rest is flt_from_unorm8. */
 GP_INLINE flt flt_quantize_unorm8(flt v)
 {
 #ifdef GP_FUSED_LANES
@@ -110,7 +111,8 @@ GP_INLINE flt flt_quantize_unorm8(flt v)
 #endif
 }
 
-/* a + b by the units that multiply: rounding to halves, which goes before and after, keeps those that add busy. */
+/* a + b by the units that multiply: rounding to halves, which goes before and after, keeps those
+ * that add busy. */
 GP_INLINE flt flt_sum_between_halves(flt a, flt b)
 {
 #ifdef GP_FUSED_LANES

@@ -147,8 +147,8 @@ GP_INLINE void lanes_store4(void *record, size_t stride, const itg word[4])
     }
 }
 
-/* Four words of each lane from records in a row, and the way back. Vector by vector: gcc copies an array of
- * them by halves through memory, and waits for it. */
+/* Four words of each lane from records in a row, and the way back. Vector by vector: gcc copies an
+ * array of them by halves through memory, and waits for it. */
 GP_INLINE void lanes_load4_row(const float *records, itg word[4])
 {
     enum { FOURS = GP_LANES / 4 };
@@ -181,7 +181,8 @@ GP_INLINE void lanes_store4_row(float *records, const itg word[4])
 
 /* --- gathered by offsets ---------------------------------------------------------------------- */
 
-/* Without optimization these intrinsics are macros that the compiler's own warnings stumble over. */
+/* Without optimization these intrinsics are macros that the compiler's own warnings stumble
+ * over. */
 #if defined GP_AVX512_LANES && defined __OPTIMIZE__
 #define GP_GATHERS 1
 enum { GATHERS_BY_LANE = false };

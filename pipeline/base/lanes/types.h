@@ -7,8 +7,8 @@
 #include <stdint.h>
 
 /* Intrinsics stand only where compilers do worse than they could; each has its plain twin beside
- * it, which gives the same bits. GP_PLAIN_LANES compiles the twins everywhere. (Of vectors that a twin fills
- * lane by lane some are set first, where gcc takes them for unset.) */
+ * it, which gives the same bits. GP_PLAIN_LANES compiles the twins everywhere. (Of vectors that a
+ * twin fills lane by lane some are set first, where gcc takes them for unset.) */
 #if defined __SSE2__ && !defined GP_PLAIN_LANES
 #define GP_X86_LANES 1
 #ifdef __AVX__
@@ -33,8 +33,8 @@
 #define GP_UNROLL /* gcc warns that it ignores it */
 #endif
 
-/* GP_NATIVE(op): the intrinsic of one operation on whole vectors, where they are the processor's own;
- * gp_native_flt and gp_native_itg: what it takes and gives. */
+/* GP_NATIVE(op): the intrinsic of one operation on whole vectors, where they are the processor's
+ * own; gp_native_flt and gp_native_itg: what it takes and gives. */
 #if defined GP_X86_LANES && GP_LANES == 4
 #define GP_NATIVE(op) _mm_##op
 #define GP_SSE2_LANES 1

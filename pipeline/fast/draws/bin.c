@@ -185,8 +185,8 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
 
 /* --- triangles -------------------------------------------------------------------------------- */
 
-/* Neighbours of one box, such as the halves of a rectangle: they go into its tiles together, and fills by two
- * threads take 6 to 7 % less. */
+/* Neighbours of one box, such as the halves of a rectangle: they go into its tiles together, and
+ * fills by two threads take 6 to 7 % less. */
 typedef struct Alike {
     FastPrimitiveMask group;
     FastBox box;

@@ -21,7 +21,8 @@ typedef struct FastPrimitiveMask {
 /* On a group's first and only primitive: look it up in the clip polygons. */
 #define FAST_CLIPPED_FLAG 0x80000000u
 
-/* Some groups of one tile; chunks of a tile are linked in order. (Of half the size points take 4 % more.) */
+/* Some groups of one tile; chunks of a tile are linked in order. (Of half the size points take 4 %
+ * more.) */
 enum { FAST_CHUNK = 31 }; /* fills 256 bytes, with what comes before them */
 typedef struct FastChunk {
     uint32_t count;
@@ -83,7 +84,8 @@ static inline void fast_add_to_tile(FastRange *range, uint32_t tile, FastPrimiti
         chunk->group[chunk->count++] = group;
 }
 
-/* The same of one or some of the primitives from group.first on, of which the tile may have others. */
+/* The same of one or some of the primitives from group.first on, of which the tile may have
+ * others. */
 static inline void fast_add_to_group(FastRange *range, uint32_t tile, FastPrimitiveMask group)
 {
     FastPrimitiveMask *last = fast_last_group(range, tile);
@@ -93,7 +95,8 @@ static inline void fast_add_to_group(FastRange *range, uint32_t tile, FastPrimit
         fast_add_to_tile(range, tile, group);
 }
 
-/* Adds the primitives of `group` to the bin of every tile that the box touches; notes a failure in the range. */
+/* Adds the primitives of `group` to the bin of every tile that the box touches; notes a failure in
+ * the range. */
 void fast_bin_box(const FastPass *pass, FastRange *range, FastPrimitiveMask group,
                   const FastBox *box);
 

@@ -4,7 +4,8 @@
 
 #include "pipeline/fast/draws/draw.h"
 
-/* Of the parts in which a pass clears, number i, as far as it lies in a box of pixels; may be empty. */
+/* Of the parts in which a pass clears, number i, as far as it lies in a box of pixels; may be
+ * empty. */
 FastBox fast_clear_part(const GpPass *pass, uint32_t i, const FastBox *box);
 
 /* Clears what a pass clears inside a box of its pixels, straight in the surfaces.

@@ -20,8 +20,8 @@ enum {
     FAST_LEAST_IN_RANGE = 4096, /* primitives of one item of work */
     FAST_MOST_IN_RANGE = 16384,
 
-    /* surfaces that a tile's memory holds at once: the targets of a pass and all that it reads in place,
-     * which are read one by one from where they are else; and some more of its group */
+    /* surfaces that a tile's memory holds at once: the targets of a pass and all that it reads in
+     * place, which are read one by one from where they are else; and some more of its group */
     FAST_COLOR_SLOTS = GP_MAX_TARGETS + GP_MAX_SAMPLERS + 4,
     FAST_DEPTH_SLOTS = 2,
 
@@ -77,7 +77,8 @@ static inline bool fast_box_is_empty(const FastBox *box)
     return box->x1 < box->x0 || box->y1 < box->y0;
 }
 
-/* Of a draw that others of its group repeat: those whose fragments are found by primitives alone. */
+/* Of a draw that others of its group repeat: those whose fragments are found by primitives
+ * alone. */
 typedef struct FastRepeats {
     uint32_t draws;
     bool depth; /* all of them look at the rasterizer's depth, or none */
@@ -108,7 +109,8 @@ typedef struct FastDraw {
     bool packs_points; /* fragments of several points share packets: see pack_points.c */
     bool only_adds;    /* blending does nothing but add, to targets of floats */
     bool shades_again; /* varyings are not stored, but found where points are packed */
-    int shown_slot; /* 1 + the slot whose texels, read in place, are all that its shader gives; or 0 */
+    /* 1 + the slot whose texels, read in place, are all that its shader gives; or 0 */
+    int shown_slot;
     bool copies_words; /* of that slot, as they are, into its target's */
     GpVaryingModes modes;
     uint64_t varyings_by[3];       /* components that are read, by GpInterpolation */

@@ -29,8 +29,8 @@ typedef struct FastGroup {
  * are too few. An empty set is large enough for any one pass. */
 bool fast_slots_add(FastSlots *slots, const GpPass *pass);
 
-/* The same for what its draws read in place, as far as slots are left: rows of tiles are read quicker
- * than texels one by one. After the targets of all passes. */
+/* The same for what its draws read in place, as far as slots are left: rows of tiles are read
+ * quicker than texels one by one. After the targets of all passes. */
 void fast_slots_add_reads(FastSlots *slots, const GpPass *pass);
 
 /* Slot of a target, or of what is read; -1: none. */

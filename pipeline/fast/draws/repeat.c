@@ -64,8 +64,8 @@ bool fast_has_vertices_of(const FastDraw *draw, const FastDraw *first)
 /* Draws of fewer primitives are mostly large ones, which are found quickly. */
 enum { LEAST_PRIMITIVES = 32 };
 
-/* Whether nothing but where primitives are decides on a draw's fragments, and on what its shader is told of
- * them; and all of them are shaded, in order. */
+/* Whether nothing but where primitives are decides on a draw's fragments, and on what its shader is
+ * told of them; and all of them are shaded, in order. */
 static bool has_plain_fragments(const FastDraw *d)
 {
     return d->path == FAST_ORDERED && !d->sorted && !d->needs.quads && !d->needs.stencil &&

@@ -22,11 +22,12 @@ typedef struct FastStages {
     /* Draws one tile of a group, from clear or load to store. */
     void (*draw_tile)(const FastGroup *group, uint32_t tile, FastTileMemory *memory);
     size_t (*tile_bytes)(void);
-    /* Memory for the fragments of passes that sort, or repeat others, before a group that has some: at
-     * least the least. Borrowed. */
+    /* Memory for the fragments of passes that sort, or repeat others, before a group that has some:
+     * at least the least. Borrowed. */
     size_t (*least_fragment_bytes)(void);
     void (*give_fragments)(FastTileMemory *tile, void *memory, size_t bytes);
-    /* What a worker counts, and times where it is asked for: from zero, as its memory is at first, and added up. */
+    /* What a worker counts, and times where it is asked for: from zero, as its memory is at first,
+     * and added up. */
     void (*start_counting)(FastTileMemory *memory);
     void (*add_counts)(const FastTileMemory *memory, GpCounters *counters, GpPhases *phases);
 } FastStages;

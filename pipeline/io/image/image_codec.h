@@ -36,7 +36,7 @@ typedef struct GpImageSource {
     bool is_big_endian;
 } GpImageSource;
 
-/* --- for checks ----------------------------------------------------------------------------------- */
+/* --- for checks ------------------------------------------------------------------------------- */
 
 /* The file's bytes. */
 const unsigned char *gp_image_bytes(const GpImageSource *source);
@@ -55,7 +55,7 @@ GpResult gp_image_take_size(GpImageSource *source, uint64_t width, uint64_t heig
 /* At least this many bytes must follow byte `at`. errors GP_ERROR_FORMAT */
 GpResult gp_image_need_bytes(const GpImageSource *source, size_t at, uint64_t least);
 
-/* --- formats -------------------------------------------------------------------------------------- */
+/* --- formats ---------------------------------------------------------------------------------- */
 
 /* Check magic, header and size before anything is decoded or allocated: decoders allocate what a
  * header asks for.
@@ -68,8 +68,9 @@ GpResult gp_image_check_pnm(GpImageSource *source);
 GpResult gp_image_check_pfm(GpImageSource *source);
 GpResult gp_image_check_tga(GpImageSource *source);
 
-/* Decoding needs a checked source; encoding gives bytes for gp_file_free, by the threads of a pool where
- * the format has work for them; NULL: alone. The floating-point environment is afterwards as before.
+/* Decoding needs a checked source; encoding gives bytes for gp_file_free, by the threads of a pool
+ * where the format has work for them; NULL: alone. The floating-point environment is afterwards as
+ * before.
  * errors GP_ERROR_FORMAT (libraries), GP_ERROR_UNSUPPORTED (OpenImageIO), GP_ERROR_MEMORY */
 GpResult gp_image_decode_pnm(const GpImageSource *source, GpImage *image);
 GpResult gp_image_encode_pnm(const char *path, GpImageFormat format, const GpImage *image,

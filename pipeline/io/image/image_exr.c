@@ -18,8 +18,9 @@ typedef struct ExrHeader {
     bool has_window, has_compression, has_tile;
 } ExrHeader;
 
-/* Channels of a list: name, 0, then sixteen bytes; an empty name ends it. 0: it has none, or no end, or one
- * whose samples are not 32-bit integers, halves or floats: OpenImageIO ends the program over these. */
+/* Channels of a list: name, 0, then sixteen bytes; an empty name ends it. 0: it has none, or no
+ * end, or one whose samples are not 32-bit integers, halves or floats: OpenImageIO ends the program
+ * over these. */
 static uint32_t count_channels(const unsigned char *at, size_t size)
 {
     uint32_t count = 0;
@@ -86,7 +87,8 @@ static const struct {
     { 16, 1376 }, { 32, 16 }, { 32, 16 },  { 32, 64 * 1032 }, { 256, 64 * 1032 },
 };
 
-/* Checks one part's header. in pixel_size: bytes that a decoder takes for a pixel; 0: four a channel
+/* Checks one part's header. in pixel_size: bytes that a decoder takes for a pixel; 0: four a
+ * channel
  * in/out at: as parse_exr has it; out: what its data take at least, and have at most */
 static GpResult check_part(GpImageSource *source, size_t *at, bool is_tiled, uint64_t pixel_size,
                            uint64_t *least, uint64_t *most)

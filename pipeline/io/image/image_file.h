@@ -1,8 +1,8 @@
 /* Pictures from and to files: PNG, EXR, PFM, PPM, PGM, TGA (read only).
  *
  * No conversion takes place: samples are those of the file, alpha is not multiplied into colours,
- * no gamma is applied. libpng reads PNG, OpenImageIO does EXR and TGA (it is loaded when such a picture
- * comes, since it brings hundreds of libraries); the rest is done here.
+ * no gamma is applied. libpng reads PNG, OpenImageIO does EXR and TGA (it is loaded when such a
+ * picture comes, since it brings hundreds of libraries); the rest is done here.
  */
 #ifndef GP_IO_IMAGE_FILE_H
 #define GP_IO_IMAGE_FILE_H

@@ -1,4 +1,5 @@
-/* PNG read by libpng, in memory. Its errors leave by longjmp, so what must survive one lies in Stream.
+/* PNG read by libpng, in memory. Its errors leave by longjmp, so what must survive one lies in
+ * Stream.
  * source ISO/IEC 15948 */
 #include "pipeline/io/bytes.h"
 #include "pipeline/io/image/image_codec.h"
@@ -7,7 +8,7 @@
 #include <string.h>
 #include <zlib.h>
 
-/* --- the header ----------------------------------------------------------------------------------- */
+/* --- the header ------------------------------------------------------------------------------- */
 
 static uint32_t big(const unsigned char *at)
 {
@@ -54,7 +55,7 @@ GpResult gp_image_check_png(GpImageSource *source)
     return result == GP_OK ? check_chunks(source) : result;
 }
 
-/* --- samples -------------------------------------------------------------------------------------- */
+/* --- samples ---------------------------------------------------------------------------------- */
 
 typedef struct Stream {
     const char *path;
@@ -132,7 +133,8 @@ static void read_picture(png_structp png, png_infop info, Stream *stream)
     stream->result = GP_OK;
 }
 
-/* What a stream came to; without libpng's structures, or for want of room, it is at GP_ERROR_MEMORY. */
+/* What a stream came to; without libpng's structures, or for want of room, it is at
+ * GP_ERROR_MEMORY. */
 static GpResult finish(Stream *stream)
 {
     if (stream->result && stream->no_memory)

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* --- headers: numbers as text between white space ----------------------------------------------- */
+/* --- headers: numbers as text between white space --------------------------------------------- */
 
 static bool is_space(char c)
 {
@@ -107,7 +107,7 @@ GpResult gp_image_check_pfm(GpImageSource *source)
                            : result;
 }
 
-/* --- samples -------------------------------------------------------------------------------------- */
+/* --- samples ---------------------------------------------------------------------------------- */
 
 GpResult gp_image_decode_pnm(const GpImageSource *source, GpImage *image)
 {

@@ -6,8 +6,8 @@
 
 /* Reads a file of any such channels. in attribute: name of the text
  * out    layers: untouched on failure; OpenEXR and OpenImageIO choose the order of the channels
- * errors GP_ERROR_IO, GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED (more parts or channels than fit, tiles,
- *        deep pixels, over 4 GiB), GP_ERROR_MEMORY, each with the path
+ * errors GP_ERROR_IO, GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED (more parts or channels than fit,
+ *        tiles, deep pixels, over 4 GiB), GP_ERROR_MEMORY, each with the path
  * owns   the caller, until gp_layers_free */
 GpResult gp_layers_read(const char *path, const char *attribute, GpLayers *layers, GpError *error);
 

@@ -1,6 +1,6 @@
 /* OpenImageIO's codecs on bytes in memory: it opens no file, so what was checked is what is read,
- * and gp_file_write alone decides what appears on the disk. This file is a library of its own, which
- * oiio_loader.c loads. */
+ * and gp_file_write alone decides what appears on the disk. This file is a library of its own,
+ * which oiio_loader.c loads. */
 #include "pipeline/io/image/oiio_shared.hpp"
 
 #include <memory>
@@ -40,7 +40,8 @@ GpResult take_samples(const GpImageSource &source, ImageInput &input, GpImage *i
     result.width = source.width;
     result.height = source.height;
     result.channels = uint32_t(spec.nchannels);
-    /* Not touched before there are samples: a header of a few bytes may promise gigabytes of DWA's. */
+    /* Not touched before there are samples: a header of a few bytes may promise gigabytes of
+     * DWA's. */
     result.data = gp_alloc_unset(size_t(result.width) * result.height * result.channels *
                                  gp_image_sample_size(result.type));
     if (!result.data)

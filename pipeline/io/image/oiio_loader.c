@@ -1,6 +1,6 @@
-/* OpenImageIO, loaded when a picture needs it: it brings some 250 libraries, which take a fifth of a
- * second to come. It stands in a library of its own, oiio_library.cpp, in ../lib beside the program;
- * a build without it (make WITH_OIIO=) says so here. */
+/* OpenImageIO, loaded when a picture needs it: it brings some 250 libraries, which take a fifth of
+ * a second to come. It stands in a library of its own, oiio_library.cpp, in ../lib beside the
+ * program; a build without it (make WITH_OIIO=) says so here. */
 #include "pipeline/io/image/image_codec.h"
 #include "pipeline/io/library.h"
 
@@ -27,8 +27,8 @@ static GpResult need_library(const char *path, GpError *error)
                : gp_fail(error, loaded, "%s: EXR and TGA need OpenImageIO, %s", path, reason.text);
 }
 
-/* Libraries and codecs may switch the rounding mode or denormals; pixels must not depend on what was
- * read. */
+/* Libraries and codecs may switch the rounding mode or denormals; pixels must not depend on what
+ * was read. */
 GpResult gp_image_decode_oiio(const GpImageSource *source, GpImage *image)
 {
     fenv_t environment;

@@ -25,8 +25,8 @@ inline void configure()
     });
 }
 
-/* A file's bytes, and none beside them: the library's own reader takes a place before the first, which a damaged
- * table of offsets names, for one inside. */
+/* A file's bytes, and none beside them: the library's own reader takes a place before the first,
+ * which a damaged table of offsets names, for one inside. */
 class FileBytes final : public OIIO::Filesystem::IOProxy
 {
   public:

@@ -14,7 +14,8 @@ GpResult gp_png_begin(const char *path, const GpImage *image, GpPngRows **rows, 
 /* Appends `count' rows. After a failure nothing but gp_png_end is left to do. */
 GpResult gp_png_add(GpPngRows *rows, const void *samples, uint32_t count, GpError *error);
 
-/* Ends the file and puts it in its place, or removes it where it is not `whole'; sets NULL; NULL is fine.
+/* Ends the file and puts it in its place, or removes it where it is not `whole'; sets NULL; NULL is
+ * fine.
  * errors GP_ERROR_IO: nothing is left then */
 GpResult gp_png_end(GpPngRows **rows, bool whole, GpError *error);
 

@@ -1,6 +1,6 @@
-/* PNG files, written in bands of rows that are filtered and deflated each for itself: threads take one each,
- * and their number changes no byte. libpng, which writes row after row, takes 15 ms for a picture of
- * 1024 x 768; this 10, with two threads 6.5, and no more bytes.
+/* PNG files, written in bands of rows that are filtered and deflated each for itself: threads take
+ * one each, and their number changes no byte. libpng, which writes row after row, takes 15 ms for a
+ * picture of 1024 x 768; this 10, with two threads 6.5, and no more bytes.
  * source ISO/IEC 15948: 5.3 (chunks), 9.2 (filters), 10.1 (deflate); RFC 1950 */
 #include "pipeline/base/pool.h"
 #include "pipeline/io/bytes.h"
@@ -9,13 +9,14 @@
 
 #include <zlib.h>
 
-/* A third of the time of level 6, for 9 % more bytes. To try all filters takes as long as it saves. */
+/* A third of the time of level 6, for 9 % more bytes. To try all filters takes as long as it
+ * saves. */
 enum { LEVEL = 4, PAETH = 4 };
 
 /* Four windows of deflate: what a band does not find in those before it costs less than 1 %. */
 enum { BAND_BYTES = 1 << 17 };
 
-/* --- bands ---------------------------------------------------------------------------------------- */
+/* --- bands ------------------------------------------------------------------------------------ */
 
 typedef struct Layout {
     size_t row, pixel, sample; /* bytes */
@@ -85,8 +86,8 @@ static inline Shorts absolute(Shorts x)
     return choose(x < 0, -x, x);
 }
 
-/* The difference to that neighbour, of three, which is nearest to left + above - corner. Goes a little beyond
- * a row's end: there is room. */
+/* The difference to that neighbour, of three, which is nearest to left + above - corner. Goes a
+ * little beyond a row's end: there is room. */
 static void filter_row(const Layout *layout, const uint8_t *row, const uint8_t *above, uint8_t *out)
 {
     const size_t pixel = layout->pixel;
@@ -133,7 +134,7 @@ static Piece pack(const Layout *layout, Band *band, uint32_t row, uint32_t rows)
                     (uint32_t)adler32_z(1, band->filtered, bytes) };
 }
 
-/* --- chunks --------------------------------------------------------------------------------------- */
+/* --- chunks ----------------------------------------------------------------------------------- */
 
 static void store_big(uint8_t bytes[4], uint32_t value)
 {
@@ -156,8 +157,8 @@ static void put_chunk(GpBytes *bytes, const char *kind, const void *data, size_t
     put_number(bytes, (uint32_t)crc32_z(crc32_z(0, (const Bytef *)kind, 4), data, size));
 }
 
-/* The picture's data are one zlib stream, in as many chunks as there are bands, and one before them and one
- * behind. */
+/* The picture's data are one zlib stream, in as many chunks as there are bands, and one before them
+ * and one behind. */
 static void put_head(GpBytes *bytes, const GpImage *image)
 {
     static const uint8_t signature[8] = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
@@ -191,7 +192,7 @@ static GpResult no_memory(const char *path, GpError *error)
     return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for the picture", path);
 }
 
-/* --- whole pictures ------------------------------------------------------------------------------- */
+/* --- whole pictures --------------------------------------------------------------------------- */
 
 typedef struct Encoding {
     const GpImage *image;
@@ -276,7 +277,7 @@ GpResult gp_image_encode_png(const char *path, GpImageFormat format, const GpIma
     return made ? GP_OK : no_memory(path, error);
 }
 
-/* --- row by row ----------------------------------------------------------------------------------- */
+/* --- row by row ------------------------------------------------------------------------------- */
 
 struct GpPngRows {
     const char *path;

@@ -43,7 +43,8 @@ void gp_mesh_builder_reserve(GpMeshBuilder *mesh, size_t vertices, size_t triang
 void gp_mesh_add_vertex(GpMeshBuilder *mesh, const float vertex[GP_VERTEX_FLOATS]);
 
 /* Room for so many more vertices behind the last.
- * out    rows: where the floats of each attribute that mesh->has go, the next vertex's first; of others NULL
+ * out    rows: where the floats of each attribute that mesh->has go, the next vertex's first; of
+ *        others NULL
  * returns false where memory is short */
 bool gp_mesh_new_vertices(GpMeshBuilder *mesh, size_t count, float *rows[GP_MESH_ATTRIBUTES]);
 

@@ -1,5 +1,6 @@
-/* The format of the library OpenMesh: a header, then chunks of one attribute for all vertices, faces,
- * edges or half-edges. Versions before 2 store faces as vertex numbers, later ones the half-edges.
+/* The format of the library OpenMesh: a header, then chunks of one attribute for all vertices,
+ * faces, edges or half-edges. Versions before 2 store faces as vertex numbers, later ones the
+ * half-edges.
  * source OpenMesh 9, OMFormat.hh */
 #include "pipeline/io/mesh/mesh_formats.h"
 

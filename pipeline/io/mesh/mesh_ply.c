@@ -25,8 +25,8 @@ static void read_corners(const PlyItems *items, const PlyProperty *property, GpM
     }
 }
 
-/* Triangles, where faces are nothing but corners: a length of one byte, 3, and three numbers of four in the
- * machine's order. returns how many there are before any other item */
+/* Triangles, where faces are nothing but corners: a length of one byte, 3, and three numbers of
+ * four in the machine's order. returns how many there are before any other item */
 static size_t read_triangles(const PlyItems *items, GpMeshBuilder *mesh)
 {
     enum { BYTES = 1 + 3 * sizeof(uint32_t) };

@@ -1,5 +1,5 @@
-/* OpenMesh stands in a library of its own, simplify_openmesh.cpp, in ../lib beside the program, and is
- * loaded when a mesh is simplified; a build without it (make WITH_OPENMESH=) says so here. */
+/* OpenMesh stands in a library of its own, simplify_openmesh.cpp, in ../lib beside the program, and
+ * is loaded when a mesh is simplified; a build without it (make WITH_OPENMESH=) says so here. */
 #include "pipeline/io/library.h"
 #include "pipeline/io/mesh/simplify.h"
 

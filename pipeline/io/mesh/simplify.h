@@ -16,16 +16,17 @@ typedef struct GpSimplifyInput {
     uint32_t least_triangles; /* no more are taken away than down to so many */
 } GpSimplifyInput;
 
-/* The triangles that are left: their vertices are some of those that were there, where they were. Owned
- * by whoever made it, until gp_simplified_free; a zeroed one is empty. */
+/* The triangles that are left: their vertices are some of those that were there, where they were.
+ * Owned by whoever made it, until gp_simplified_free; a zeroed one is empty. */
 typedef struct GpSimplified {
     uint32_t *vertices; /* [vertex_count]: which of the mesh's, rising */
     uint32_t *indices;  /* [triangle_count][3], into vertices */
     uint32_t vertex_count, triangle_count;
 } GpSimplified;
 
-/* Moves one end of an edge to the other, the cheapest first, as long as no triangle turns over. Vertices at
- * open edges, and where OpenMesh cannot have a triangle (more than two at an edge), stay.
+/* Moves one end of an edge to the other, the cheapest first, as long as no triangle turns over.
+ * Vertices at open edges, and where OpenMesh cannot have a triangle (more than two at an edge),
+ * stay.
  * order  the same result on every machine
  * errors GP_ERROR_UNSUPPORTED (OpenMesh is not there), GP_ERROR_MEMORY; owns: the caller
  * source Garland, Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997 */

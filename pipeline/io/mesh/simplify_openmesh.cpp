@@ -1,4 +1,5 @@
-/* OpenMesh's decimater with its quadrics. This file is a library of its own, which simplify.c loads. */
+/* OpenMesh's decimater with its quadrics. This file is a library of its own, which simplify.c
+ * loads. */
 #define NDEBUG /* OpenMesh's own assertions take most of its time */
 #ifndef __clang__
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized" /* its vectors are, where it makes room */

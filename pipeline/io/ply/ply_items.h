@@ -1,5 +1,5 @@
-/* The body of a PLY file (internal): its elements' items, one after the other, with properties of any
- * type. */
+/* The body of a PLY file (internal): its elements' items, one after the other, with properties of
+ * any type. */
 #ifndef GP_IO_PLY_ITEMS_H
 #define GP_IO_PLY_ITEMS_H
 
@@ -14,7 +14,8 @@ typedef struct PlyItems {
     size_t item;               /* of it */
 } PlyItems;
 
-/* Reads or skips each property of the present item, in their order, and of any of those that follow it.
+/* Reads or skips each property of the present item, in their order, and of any of those that follow
+ * it.
  * returns how many items that were */
 typedef size_t (*PlyItemFn)(const PlyItems *items, void *context);
 
@@ -27,14 +28,15 @@ static inline bool gp_ply_is_native(const PlyItems *items)
     return items->header->encoding == (GP_BIG_ENDIAN_MACHINE ? PLY_BIG : PLY_LITTLE);
 }
 
-/* Where a role's values go: bytes of colours, floats of all else; so many values lie from one item's to the
- * next. NULL: they are skipped. */
+/* Where a role's values go: bytes of colours, floats of all else; so many values lie from one
+ * item's to the next. NULL: they are skipped. */
 typedef struct PlyColumn {
     void *to;
     size_t stride;
 } PlyColumn;
 
-/* The present item and those after it that are read together: at most PLY_BLOCK, while any are left. */
+/* The present item and those after it that are read together: at most PLY_BLOCK, while any are
+ * left. */
 enum { PLY_BLOCK = 512 };
 static inline size_t gp_ply_block(const PlyItems *items)
 {
@@ -42,8 +44,8 @@ static inline size_t gp_ply_block(const PlyItems *items)
     return left < PLY_BLOCK ? left : PLY_BLOCK;
 }
 
-/* Reads a block as columns, where its items are rows of single values that are stored as they are wanted: most
- * files' bulk.
+/* Reads a block as columns, where its items are rows of single values that are stored as they are
+ * wanted: most files' bulk.
  * in   column: of each role, with room for the block
  * returns how many items that were, or 0: they must be read value by value, or have a fault */
 size_t gp_ply_read_block(const PlyItems *items, const PlyColumn column[PLY_VERTEX_ROLES]);

@@ -1,7 +1,7 @@
 /* The readers of point formats (internal), and what they fill.
  *
- * As with meshes, a reader walks over the bytes once and trusts nothing: counts are held against the
- * size before memory is taken, and what is wrong is refused with the place and the reason.
+ * As with meshes, a reader walks over the bytes once and trusts nothing: counts are held against
+ * the size before memory is taken, and what is wrong is refused with the place and the reason.
  */
 #ifndef GP_IO_POINTS_FORMATS_H
 #define GP_IO_POINTS_FORMATS_H
@@ -28,8 +28,8 @@ typedef enum GpPointsColumns {
 
 /* in     input: at the start of a file that is not empty
  * out    points: empty before, then what the file holds, also where that is no point
- * errors GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED in input->result; memory that is short leaves `failed` in
- *        one of the arrays */
+ * errors GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED in input->result; memory that is short leaves
+ *        `failed` in one of the arrays */
 void gp_points_read_ply(GpInput *input, GpPointsBuilder *points);
 void gp_points_read_text(GpInput *input, GpPointsColumns columns, GpPointsBuilder *points);
 

@@ -13,13 +13,15 @@
  *                  "spacing_xyz"); types as above, with "le" or "be" behind
  *   .bits          a cube of bits, whose side is known by the file's size
  * out    volume: untouched on failure
- * errors GP_ERROR_IO (file access); GP_ERROR_FORMAT with "path: line 3: ..." or "path: byte 34: ..."
- *        and what was expected; GP_ERROR_UNSUPPORTED (valid, but not read here); GP_ERROR_MEMORY
+ * errors GP_ERROR_IO (file access); GP_ERROR_FORMAT with "path: line 3: ..." or "path: byte 34:
+ *        ..." and what was expected; GP_ERROR_UNSUPPORTED (valid, but not read here);
+ *        GP_ERROR_MEMORY
  * owns   the caller, until gp_volume_free
  * source Teem's definition of the NRRD file format, http://teem.sourceforge.net/nrrd/format.html */
 GpResult gp_volume_read(const char *path, GpVolume *volume, GpError *error);
 
-/* Writes a volume: .nrrd (gzip; bits become bytes of 0 and 1; steps along the axes and the origin are
+/* Writes a volume: .nrrd (gzip; bits become bytes of 0 and 1; steps along the axes and the origin
+ * are
  * in it) or .bits (a cube of bits).
  * errors GP_ERROR_UNSUPPORTED (another name), GP_ERROR_INVALID (.bits of anything else),
  *        GP_ERROR_IO, GP_ERROR_MEMORY; never leaves half a file */

@@ -1,8 +1,8 @@
 /* Parametric surfaces as voxels.
  * source Dong, Chen, Bao, Zhang and Peng, "Real-time voxelization for complex polygonal models",
- *        Pacific Graphics 2004: parametric surfaces evaluated in the vertex shader. DEVIATES: theirs
- *        are points, each of which sets its voxel; what the surface only grazes between them is lost,
- *        however close they are. */
+ *        Pacific Graphics 2004: parametric surfaces evaluated in the vertex shader. DEVIATES:
+ *        theirs are points, each of which sets its voxel; what the surface only grazes between them
+ *        is lost, however close they are. */
 #define GP_SHADER_AT_ONCE 4
 #include "shaders_c/voxel/inputs/parametric.h"
 #include "shaders_c/voxel/methods/columns_shared.h"

@@ -1,7 +1,7 @@
-/* The voxels that a parametric surface touches: triangles of a grid, whose corners the vertex shader
- * computes, set those that they touch (columns.h), and those beside them as far as the surface may be
- * from its triangles. Drawn as points, one a triangle, into a whole flat texture, blended with
- * GP_BLEND_LOGIC_OR. */
+/* The voxels that a parametric surface touches: triangles of a grid, whose corners the vertex
+ * shader computes, set those that they touch (columns.h), and those beside them as far as the
+ * surface may be from its triangles. Drawn as points, one a triangle, into a whole flat texture,
+ * blended with GP_BLEND_LOGIC_OR. */
 #ifndef SHADERS_VOXEL_INPUTS_PARAMETRIC_H
 #define SHADERS_VOXEL_INPUTS_PARAMETRIC_H
 

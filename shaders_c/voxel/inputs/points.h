@@ -1,4 +1,5 @@
-/* Given points as voxels. Drawn as points into a whole flat texture, blended with GP_BLEND_LOGIC_OR. */
+/* Given points as voxels. Drawn as points into a whole flat texture, blended with
+ * GP_BLEND_LOGIC_OR. */
 #ifndef SHADERS_VOXEL_INPUTS_POINTS_H
 #define SHADERS_VOXEL_INPUTS_POINTS_H
 

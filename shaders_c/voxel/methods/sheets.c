@@ -74,7 +74,7 @@ pixel_shader_targets(voxel_density_ps, VoxelSheetsUniforms, DepthVarying, SlabTa
 program(voxel_density_program, voxel_place_vs, voxel_density_ps, MODEL_2_0,
         .inputs = { { GP_POSITION, 3 } }, .varyings = { { "depth", 1, GP_PERSPECTIVE } })
 
-/* --- what 8 and 16 bits hold: whole numbers in one or two bytes, by codes of ours --------------- */
+/* --- what 8 and 16 bits hold: whole numbers in one or two bytes, by codes of ours ------------- */
 
 typedef struct ValueVertex {
     float3 position, value;

@@ -1,8 +1,8 @@
 /* Winding numbers of voxels by blending.
  * source ours, after the parity of Eisemann and Decoret, "Single-pass GPU solid voxelization for
- *        real-time applications", Graphics Interface 2008: a sum with signs in place of a sum modulo
- *        2, as shadow volumes count with the stencil (Heidmann, "Real shadows, real time", Iris
- *        Universe 18, 1991) */
+ *        real-time applications", Graphics Interface 2008: a sum with signs in place of a sum
+ *        modulo 2, as shadow volumes count with the stencil (Heidmann, "Real shadows, real time",
+ *        Iris Universe 18, 1991) */
 #include "shaders_c/common/cover_shared.h"
 #include "shaders_c/voxel/methods/motion_shared.h"
 #include "shaders_c/voxel/methods/winding.h"

@@ -1,6 +1,6 @@
-/* Solid voxels by the winding number: what is above a voxel's centre counts 1 where its outside faces
- * up, and -1 where it faces down. A voxel is a channel of a target, which fragments add to and, drawn
- * with the other facing, subtract from; 16 voxels are a group of four targets. */
+/* Solid voxels by the winding number: what is above a voxel's centre counts 1 where its outside
+ * faces up, and -1 where it faces down. A voxel is a channel of a target, which fragments add to
+ * and, drawn with the other facing, subtract from; 16 voxels are a group of four targets. */
 #ifndef SHADERS_VOXEL_METHODS_WINDING_H
 #define SHADERS_VOXEL_METHODS_WINDING_H
 
@@ -9,8 +9,8 @@
 
 enum { VOXEL_WINDING_DEPTH = 16 }; /* voxels of a group: four targets of four channels */
 
-/* Draws one group into four targets of size x size texels: voxel k of the group is red, green, blue,
- * alpha of target k / 4. */
+/* Draws one group into four targets of size x size texels: voxel k of the group is red, green,
+ * blue, alpha of target k / 4. */
 typedef struct VoxelWindingUniforms {
     VoxelMotion motion;
     float size;  /* voxels a side */
@@ -29,9 +29,9 @@ typedef struct VoxelWindingCounts {
     float scale, zero; /* 1, 0 of floats; 255 and what stands for none of bytes */
 } VoxelWindingCounts;
 
-/* A slab of 32 voxels over the viewport, whose bits are set where the number is not 0. Slots 0 to 3:
- * targets of its lower group; 4 to 7: of its upper group; 8: the sum of all groups above the slab, as
- * a number. To be drawn with flat_texture_cover. */
+/* A slab of 32 voxels over the viewport, whose bits are set where the number is not 0. Slots 0 to
+ * 3: targets of its lower group; 4 to 7: of its upper group; 8: the sum of all groups above the
+ * slab, as a number. To be drawn with flat_texture_cover. */
 extern const GpProgram voxel_winding_slab_program;
 
 /* That sum for the slab below, in red: each fragment of a group counts in its lowest voxel. Slots 0

@@ -92,8 +92,8 @@ GP_INLINE msk is_near_voxels(GpInvocation *gp, const VoxelViewUniforms *c, const
     return own > 0.0f;
 }
 
-/* Length of the ray in voxels of the volume in slot 0. What absorbs does so by the length of the way in
- * it: light loses the same share in each unit. */
+/* Length of the ray in voxels of the volume in slot 0. What absorbs does so by the length of the
+ * way in it: light loses the same share in each unit. */
 GP_INLINE flt way_in_first(GpInvocation *gp, const VoxelViewUniforms *c, const SlabRay *ray)
 {
     Walk walk = walk_slab(ray);

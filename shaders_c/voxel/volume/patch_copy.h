@@ -1,4 +1,5 @@
-/* A rectangle of a texture over the viewport: a patch of a flat texture to another, or all of it. */
+/* A rectangle of a texture over the viewport: a patch of a flat texture to another, or all of
+ * it. */
 #ifndef SHADERS_VOXEL_VOLUME_PATCH_COPY_H
 #define SHADERS_VOXEL_VOLUME_PATCH_COPY_H
 

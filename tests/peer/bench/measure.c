@@ -1,4 +1,5 @@
-/* Wall time, the process's own processor time, and how much the rest of the machine was in the way. */
+/* Wall time, the process's own processor time, and how much the rest of the machine was in the
+ * way. */
 #include "tests/peer/bench/measure.h"
 
 #include "apps/base/machine.h"

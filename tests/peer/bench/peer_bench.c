@@ -4,7 +4,8 @@
  *   peer_bench --chart peers.json
  *
  * Prints one line of JSON for every case, with the fields of `glasspipe bench`; -l lists the cases,
- * --driver names the driver; --chart draws a comparison as SVG. Exit status 77: there is no EGL, or it has no llvmpipe.
+ * --driver names the driver; --chart draws a comparison as SVG. Exit status 77: there is no EGL, or
+ * it has no llvmpipe.
  */
 #include "tests/peer/bench/measure.h"
 #include "tests/peer/bench/peer_chart.h"

@@ -1,5 +1,6 @@
-/* The shaders of the benchmark cases in GLSL ES 3.00: the arithmetic is that of glasspipe's shaders,
- * expression by expression. Left out of the uniforms: what a shader knows as a constant. */
+/* The shaders of the benchmark cases in GLSL ES 3.00: the arithmetic is that of glasspipe's
+ * shaders, expression by expression. Left out of the uniforms: what a shader knows as a
+ * constant. */
 #include "tests/peer/bench/replay.h"
 
 #include "shaders_c/bench/arithmetic.h"

@@ -36,8 +36,8 @@ static inline void depth_case_close(DepthCase *made)
     gp_mesh_free(&made->mesh);
 }
 
-/* The nearest that the ray of a pixel meets beyond a depth; false: nothing. `t` of the hit is the depth, whose
- * point is point[]. in square: unit or not, the triangle's normal goes there */
+/* The nearest that the ray of a pixel meets beyond a depth; false: nothing. `t` of the hit is the
+ * depth, whose point is point[]. in square: unit or not, the triangle's normal goes there */
 static inline bool depth_case_hit(const DepthCase *made, const DepthPlane *plane,
                                   const DepthPixels *pixels, double x, double y, double beyond,
                                   double *depth, double square[3])

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-/* --- shapes ------------------------------------------------------------------------------------ */
+/* --- shapes ----------------------------------------------------------------------------------- */
 
 static void make_triangles(DepthShape *shape)
 {
@@ -125,7 +125,7 @@ void depth_shape_close(DepthShape *shape)
     *shape = (DepthShape){ .triangles = NULL };
 }
 
-/* --- capture ----------------------------------------------------------------------------------- */
+/* --- capture ---------------------------------------------------------------------------------- */
 
 static void flat_normal(const TruthTriangle *triangle, const double towards[3], float normal[3])
 {
@@ -204,7 +204,7 @@ DepthModel depth_shape_capture(const DepthShape *shape, uint32_t width, uint32_t
     return model;
 }
 
-/* --- the truth --------------------------------------------------------------------------------- */
+/* --- the truth -------------------------------------------------------------------------------- */
 
 RayPicture depth_shape_truth(const DepthShape *shape, const Camera *camera, uint32_t width,
                              uint32_t height)

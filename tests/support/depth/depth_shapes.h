@@ -16,19 +16,20 @@ typedef struct DepthShape {
     double center[3], half_height, radius; /* about it, upright */
 } DepthShape;
 
-/* A mesh of the program's, "builtin:torus" or a file's, with waves of `waves` over its size; turned about
- * x by degrees. Fails the running test where it cannot be read. */
+/* A mesh of the program's, "builtin:torus" or a file's, with waves of `waves` over its size; turned
+ * about x by degrees. Fails the running test where it cannot be read. */
 DepthShape depth_shape_open(const char *name, double waves, double degrees);
 
 /* A vase with bumps: no caps, one depth everywhere; its walls reach from floor to rim. */
 DepthShape depth_shape_vase(void);
 
-/* A quarter of a shape about its centre, by x and y: what lies in quarter 0..3, with its own cylinder. */
+/* A quarter of a shape about its centre, by x and y: what lies in quarter 0..3, with its own
+ * cylinder. */
 DepthShape depth_shape_piece(const DepthShape *shape, int quarter);
 void depth_shape_close(DepthShape *shape);
 
-/* The cylinder about a shape, and its caps from above and below where `caps` is above 0, so many pixels
- * a side. With normals of its triangles where `normals`. */
+/* The cylinder about a shape, and its caps from above and below where `caps` is above 0, so many
+ * pixels a side. With normals of its triangles where `normals`. */
 DepthModel depth_shape_capture(const DepthShape *shape, uint32_t width, uint32_t height,
                                uint32_t caps, bool normals);
 

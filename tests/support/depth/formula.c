@@ -3,7 +3,7 @@
 #include "apps/depth_images/capture.h"
 #include "tests/support/depth/view_rays.h"
 
-/* --- surfaces ------------------------------------------------------------------------------------ */
+/* --- surfaces --------------------------------------------------------------------------------- */
 
 static double meet_plane(const double normal[3], double offset, const double from[3],
                          const double direction[3])
@@ -56,7 +56,7 @@ static double color_at(const double point[3], int channel)
     return 0.5 + 0.5 * sin(2 * point[channel]);
 }
 
-/* --- images -------------------------------------------------------------------------------------- */
+/* --- images ----------------------------------------------------------------------------------- */
 
 static void set_pixel(Formula formula, const double point[3], double depth, uint32_t i,
                       DepthPixels *pixels)
@@ -115,7 +115,7 @@ Camera formula_camera(double x, double y, double z, bool is_parallel)
                      .far = 20 };
 }
 
-/* --- pictures ------------------------------------------------------------------------------------ */
+/* --- pictures --------------------------------------------------------------------------------- */
 
 WarpTarget formula_target(bool float_color, Frame *frame)
 {

@@ -4,8 +4,8 @@
 
 #include "apps/base/camera.h"
 
-/* The ray through a place of a picture, in pixels from the left and from the top; multiples of its direction are
- * distances along the view. */
+/* The ray through a place of a picture, in pixels from the left and from the top; multiples of its
+ * direction are distances along the view. */
 static inline void view_ray(const Camera *camera, double x, double y, int width, int height,
                             double from[3], double direction[3])
 {

@@ -1,5 +1,5 @@
-/* Random lists in which passes draw again what earlier ones drew, with other states, textures and pixel
- * shaders: as peeling does. */
+/* Random lists in which passes draw again what earlier ones drew, with other states, textures and
+ * pixel shaders: as peeling does. */
 #ifndef TESTS_RANDOM_REPEATS_H
 #define TESTS_RANDOM_REPEATS_H
 

@@ -1,6 +1,6 @@
-/* A second draw of lots for a random list: strips, fans and short indices instead of lists, other types
- * of vertices, X8R8G8B8 and L8, clears of rectangles, texels in memory of the caller's, and memory under
- * two names. Apart from the first, whose lists stay what they were. */
+/* A second draw of lots for a random list: strips, fans and short indices instead of lists, other
+ * types of vertices, X8R8G8B8 and L8, clears of rectangles, texels in memory of the caller's, and
+ * memory under two names. Apart from the first, whose lists stay what they were. */
 #ifndef TESTS_RANDOM_VARIETY_H
 #define TESTS_RANDOM_VARIETY_H
 

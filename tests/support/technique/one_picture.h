@@ -1,4 +1,5 @@
-/* The bits of techniques' pictures: one picture for every executor, number of threads and lane width. */
+/* The bits of techniques' pictures: one picture for every executor, number of threads and lane
+ * width. */
 #ifndef TESTS_SWEEP_BITS_H
 #define TESTS_SWEEP_BITS_H
 
@@ -12,7 +13,8 @@ enum { SWEEP_ROWS = 64 };
 void texts_are_one_picture(const Technique *technique, const TechniqueInput *input,
                            const char *const *texts, size_t count, uint64_t *hashes);
 
-/* Draws one text of each row of the sweep of a technique's first experiment, as texts_are_one_picture does.
+/* Draws one text of each row of the sweep of a technique's first experiment, as
+ * texts_are_one_picture does.
  * out    hashes: of all targets of the frame, row by row
  * errors fails the running test where a device draws other bits */
 void sweep_is_one_picture(const Technique *technique, const TechniqueInput *input,

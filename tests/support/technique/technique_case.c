@@ -63,7 +63,8 @@ GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, 
     return result;
 }
 
-/* What the technique says of a picture; of others that were drawn before nothing may be left in its way. */
+/* What the technique says of a picture; of others that were drawn before nothing may be left in its
+ * way. */
 static GpResult tell(const TechniqueStage *stage, const char *options, const Frame *frame,
                      GpError *error)
 {

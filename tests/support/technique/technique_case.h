@@ -23,7 +23,8 @@ GpResult technique_cases_check(const Technique *technique, const TechniqueCase *
 
 /* --- what tables are checked with, for claims of other forms ---------------------------------- */
 
-/* A scene with the truth of the technique's first experiment, and a device to draw it on. Owned by the caller until closed. */
+/* A scene with the truth of the technique's first experiment, and a device to draw it on. Owned by
+ * the caller until closed. */
 typedef struct TechniqueStage {
     const Technique *technique;
     void *scene;
@@ -41,8 +42,9 @@ void technique_stage_close(TechniqueStage *stage); /* a zeroed one is fine */
 GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, Frame *frame,
                               GpError *error);
 
-/* Draws, has the technique say what there is to say, and hashes all targets of the frame, those of passes before the
- * picture's too. errors fails the running test where it cannot be drawn, or told of */
+/* Draws, has the technique say what there is to say, and hashes all targets of the frame, those of
+ * passes before the picture's too. errors fails the running test where it cannot be drawn, or told
+ * of */
 uint64_t technique_stage_hash(const TechniqueStage *stage, const char *options);
 
 /* Draws and measures. */

@@ -1,5 +1,5 @@
-/* What `make fuzz` runs, without it: each target accepts its own seeds, and gets over the cases that were
- * once found to break it. */
+/* What `make fuzz` runs, without it: each target accepts its own seeds, and gets over the cases
+ * that were once found to break it. */
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/unit.h"
 

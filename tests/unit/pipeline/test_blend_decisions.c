@@ -1,4 +1,5 @@
-/* Decisions of blending, and of the order in which a pixel's fragments are blended, condition by condition. */
+/* Decisions of blending, and of the order in which a pixel's fragments are blended, condition by
+ * condition. */
 #include "pipeline/reference/waiting.h"
 #include "pipeline/units/blend.h"
 #include "tests/support/decision.h"
@@ -85,7 +86,8 @@ static void saturated_alpha_takes_the_lesser_but_for_alpha(void **state)
     }
 }
 
-/* op >= ADD && op <= REV_SUBTRACT has factors; op >= AND && op <= XOR works on bits; all but off read the target. */
+/* op >= ADD && op <= REV_SUBTRACT has factors; op >= AND && op <= XOR works on bits; all but off
+ * read the target. */
 static void each_operation_is_of_its_kind(void **state)
 {
     (void)state;
@@ -119,7 +121,8 @@ static void add_fragment(GpWaiting *waiting, GpOrder order, int32_t x, int32_t y
     gp_waiting_add(waiting, order, &quad, 0, 1, 0, (uint32_t)waiting->count);
 }
 
-/* Row, then column, then depth by the pass's order, then submission: which of two has its turn first. */
+/* Row, then column, then depth by the pass's order, then submission: which of two has its turn
+ * first. */
 static void r53_row_column_depth_and_submission_decide_in_turn(void **state)
 {
     (void)state;

@@ -23,7 +23,8 @@ static bool covers(GpRasterWalk walk, int32_t x, int32_t y)
     return covered;
 }
 
-/* dy < 0 || (dy == 0 && dx > 0): an edge through the centre of pixel (4, 4), each corner first in turn. */
+/* dy < 0 || (dy == 0 && dx > 0): an edge through the centre of pixel (4, 4), each corner first in
+ * turn. */
 static void r05_an_edge_takes_centres_where_it_is_top_or_left(void **state)
 {
     (void)state;
@@ -127,7 +128,8 @@ static void sprites_and_front_triangles_are_front(void **state)
     every_condition_decides(&decision);
 }
 
-/* x0 <= x1 && y0 <= y1: a triangle between the centres, in x and in y; and the facing that is culled. */
+/* x0 <= x1 && y0 <= y1: a triangle between the centres, in x and in y; and the facing that is
+ * culled. */
 static void set_up_leaves_out_what_faces_away_or_holds_no_centre(void **state)
 {
     (void)state;
@@ -162,7 +164,8 @@ static void set_up_leaves_out_what_faces_away_or_holds_no_centre(void **state)
     every_condition_decides(&box);
 }
 
-/* size > 0 and a sub-pixel of it; x0 <= x1 && y0 <= y1, of a square beside the target on either side. */
+/* size > 0 and a sub-pixel of it; x0 <= x1 && y0 <= y1, of a square beside the target on either
+ * side. */
 static void points_are_drawn_where_they_hold_a_centre(void **state)
 {
     (void)state;
@@ -217,7 +220,8 @@ static void each_side_of_the_scissor_cuts(void **state)
     every_condition_decides(&decision);
 }
 
-/* How the two values relate, and of each function which relations it lets pass: less, equal, greater, none. */
+/* How the two values relate, and of each function which relations it lets pass: less, equal,
+ * greater, none. */
 static void r30_every_comparison_by_every_relation(void **state)
 {
     (void)state;
@@ -273,8 +277,8 @@ static void pixels_pass_where_there_is_no_depth_target(void **state)
     assert_false(test_one(GP_D24S8, &unit, 0, true).mask);
 }
 
-/* stencil passed && depth passed && write: whether depth is stored; the first two: whether the pixel lives, and
- * which of the three operations is applied. */
+/* stencil passed && depth passed && write: whether depth is stored; the first two: whether the
+ * pixel lives, and which of the three operations is applied. */
 static void depth_is_stored_where_both_tests_pass_and_it_is_written(void **state)
 {
     (void)state;

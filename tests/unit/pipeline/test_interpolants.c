@@ -1,4 +1,5 @@
-/* What a pixel shader gets, on every device, against exact values: behind cuts, and at extreme w. */
+/* What a pixel shader gets, on every device, against exact values: behind cuts, and at extreme
+ * w. */
 #include <glasspipe/glasspipe.h>
 #include "shaders_c/voxel/methods/layers.h"
 #include "tests/shaders/exercise.h"
@@ -229,8 +230,8 @@ static double value_of(const Corner *corner, int channel)
     return (double)(channel < 4 ? corner->color[channel] : corner->uv[channel - 4]);
 }
 
-/* What CONVENTIONS.md promises of a pixel. Returns whether it lies in the triangle; on an edge, which
- * may be another's, it is not looked at. */
+/* What CONVENTIONS.md promises of a pixel. Returns whether it lies in the triangle; on an edge,
+ * which may be another's, it is not looked at. */
 static bool check_pixel(const Triangle *t, int x, int y, const float given[CHANNELS])
 {
     const double half = 0x1p-24;

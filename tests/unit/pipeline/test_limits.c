@@ -125,7 +125,7 @@ static void devices_have_up_to_1024_threads(void **state)
     }
 }
 
-/* --- passes, draws, primitives: as many as there is memory for ---------------------------------- */
+/* --- passes, draws, primitives: as many as there is memory for -------------------------------- */
 
 enum { PASSES = 3000, DRAWS = 9000, TRIANGLES = 300000 };
 
@@ -218,8 +218,9 @@ static void draws_have_up_to_2_to_the_30_primitives(void **state)
     gp_surface_destroy(&target);
 }
 
-/* More primitives in a pass than bins can number, of which only those of the last two draws are on the
- * screen; the near plane cuts one of them. It takes some seconds, and is made where GP_TEST_LARGE asks. */
+/* More primitives in a pass than bins can number, of which only those of the last two draws are on
+ * the screen; the near plane cuts one of them. It takes some seconds, and is made where
+ * GP_TEST_LARGE asks. */
 static void passes_have_more_primitives_than_numbers(void **state)
 {
     (void)state;
@@ -274,8 +275,9 @@ static void six_clip_planes_exist(void **state)
     gp_surface_destroy(&target);
 }
 
-/* Every input, and ten varyings, of four components, interpolated or not: of triangles with one colour the sum is exact, and
- * of others everywhere the same. Large triangles fill packets to the last, small ones share them. */
+/* Every input, and ten varyings, of four components, interpolated or not: of triangles with one
+ * colour the sum is exact, and of others everywhere the same. Large triangles fill packets to the
+ * last, small ones share them. */
 static void shaders_have_every_input_and_40_components_of_varyings(void **state)
 {
     (void)state;

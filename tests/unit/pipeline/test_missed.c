@@ -1,5 +1,5 @@
-/* What a trace tells of triangles that are not there: culled ones, and what the near or the far plane alone
- * cut away, pixel by pixel. */
+/* What a trace tells of triangles that are not there: culled ones, and what the near or the far
+ * plane alone cut away, pixel by pixel. */
 #include <glasspipe/glasspipe.h>
 #include "tests/shaders/exercise.h"
 #include "tests/support/unit.h"

@@ -1,5 +1,6 @@
-/* Corners at odd places: w of 0, denormal or infinite, z on the planes or infinite, and none of them a number.
- * On every device the bits are the reference's, and what has no place on the screen draws nothing. */
+/* Corners at odd places: w of 0, denormal or infinite, z on the planes or infinite, and none of
+ * them a number. On every device the bits are the reference's, and what has no place on the screen
+ * draws nothing. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"
@@ -47,7 +48,8 @@ static void end(Odd *odd)
     gp_surface_destroy(&odd->pass.depth.surface);
 }
 
-/* What the matrix makes infinite, in some corners, is finite before: 0 * infinity would be no number. */
+/* What the matrix makes infinite, in some corners, is finite before: 0 * infinity would be no
+ * number. */
 static void place_oddly(Random *random, Odd *odd)
 {
     static const float ws[] = { 0, 1e-45f, 1e-40f, FLT_MIN, 1e-3f, 1, 1, 1, 2, 100, FLT_MAX, -1 };

@@ -1,5 +1,5 @@
-/* Strips, fans, short indices and the types of vertices, on every device: what is drawn is what a list
- * of triangles from floats draws. */
+/* Strips, fans, short indices and the types of vertices, on every device: what is drawn is what a
+ * list of triangles from floats draws. */
 #include <glasspipe/glasspipe.h>
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
@@ -237,8 +237,8 @@ static void vertex_types_draw_what_their_floats_draw(void **state)
     gp_surface_destroy(&d.target);
 }
 
-/* Whatever the lanes that look for it, and wherever it stands: alone it is beyond, and a vertex more makes it
- * right. */
+/* Whatever the lanes that look for it, and wherever it stands: alone it is beyond, and a vertex
+ * more makes it right. */
 static void an_index_beyond_the_vertices_is_found_anywhere(void **state)
 {
     (void)state;

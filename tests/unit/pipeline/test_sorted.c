@@ -1,5 +1,6 @@
-/* Passes that sort the fragments of a pixel, on every device, against a plain sort: each primitive is drawn
- * alone, which tells its fragments' depths and colours; these are sorted and blended here. */
+/* Passes that sort the fragments of a pixel, on every device, against a plain sort: each primitive
+ * is drawn alone, which tells its fragments' depths and colours; these are sorted and blended
+ * here. */
 #include "pipeline/resources/compare.h"
 #include "pipeline/units/blend.h"
 #include "tests/shaders/exercise.h"
@@ -26,7 +27,7 @@ static void *texel_at(const GpSurface *surface, uint32_t x, uint32_t y)
     return gp_surface_texel(&surface->level[0], gp_format_info(surface->format)->bytes, x, y);
 }
 
-/* --- fragments, one primitive at a time --------------------------------------------------------- */
+/* --- fragments, one primitive at a time ------------------------------------------------------- */
 
 enum { WIDTH = 90, HEIGHT = 70, MOST_DRAWS = 3, MOST_PRIMITIVES = 40, VERTEX_FLOATS = 10 };
 
@@ -171,9 +172,10 @@ static void expect_sorted(const Case *c, int seed)
     free(pixels);
 }
 
-/* --- random passes ------------------------------------------------------------------------------ */
+/* --- random passes ---------------------------------------------------------------------------- */
 
-/* Half of the triangles lie in planes of few depths, so that many are equal; others go through them. */
+/* Half of the triangles lie in planes of few depths, so that many are equal; others go through
+ * them. */
 static void set_vertices(Random *r, float (*vertex)[VERTEX_FLOATS], int count, int corners,
                          bool are_large)
 {
@@ -306,7 +308,7 @@ static void fragments_are_blended_as_if_they_came_in_order(void **state)
     }
 }
 
-/* --- one pixel's fragments ---------------------------------------------------------------------- */
+/* --- one pixel's fragments -------------------------------------------------------------------- */
 
 enum { SIDE = 70, MOST = 300 };
 
@@ -402,7 +404,7 @@ static void stencil_is_asked_in_turn(void **state)
     gp_surface_destroy(&s.pass.depth.surface);
 }
 
-/* --- many layers ---------------------------------------------------------------------------------- */
+/* --- many layers ------------------------------------------------------------------------------ */
 
 static int by_depth(const void *one, const void *other)
 {
@@ -474,7 +476,7 @@ static void any_number_of_layers_is_sorted(void **state)
         }
 }
 
-/* --- what is told --------------------------------------------------------------------------------- */
+/* --- what is told ----------------------------------------------------------------------------- */
 
 typedef struct Told {
     int sorted, outputs;

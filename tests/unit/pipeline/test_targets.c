@@ -1,4 +1,5 @@
-/* What passes draw into, on every device: X8R8G8B8, clears of rectangles, memory of the caller's. */
+/* What passes draw into, on every device: X8R8G8B8, clears of rectangles, memory of the
+ * caller's. */
 #include <glasspipe/glasspipe.h>
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
@@ -74,7 +75,8 @@ static uint32_t drawn_opaque(const GpDeviceDesc *device, const GpProgram *progra
     return word;
 }
 
-/* Alpha of the target reads 1, whatever its byte holds; the byte is 255 where anything is stored. */
+/* Alpha of the target reads 1, whatever its byte holds; the byte is 255 where anything is
+ * stored. */
 static void r37_x8r8g8b8_has_an_alpha_of_one(void **state)
 {
     (void)state;
@@ -126,7 +128,8 @@ static void x8r8g8b8_is_cleared_with_its_byte_and_left_alone_elsewhere(void **st
 
 enum { WIDTH = 201, HEIGHT = 147 };
 
-/* Inside, beyond every side, backwards, empty, one on the other, and one that covers whole tiles. */
+/* Inside, beyond every side, backwards, empty, one on the other, and one that covers whole
+ * tiles. */
 static const GpRect rects[] = {
     { 3, 5, 9, 6 },       { -20, -30, 7, 4 },      { 190, 140, 500, 500 }, { 50, 50, 40, 60 },
     { 70, 70, 70, 90 },   { 30, 20, 140, 135 },    { 100, 100, 160, 110 }, { -5, 120, 300, 122 },

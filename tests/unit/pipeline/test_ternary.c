@@ -1,5 +1,5 @@
-/* The ternary depth test: what replaces, is added, is dropped, on every device. Points of powers of two
- * are added, so that a sum tells which of them it has. */
+/* The ternary depth test: what replaces, is added, is dropped, on every device. Points of powers of
+ * two are added, so that a sum tells which of them it has. */
 #include "tests/shaders/flat_points.h"
 #include "tests/shaders/splat.h"
 #include "tests/support/devices.h"
@@ -19,7 +19,7 @@ static GpSurface *surface_of(GpFormat format, uint32_t width, uint32_t height)
     return surface;
 }
 
-/* --- one pixel ---------------------------------------------------------------------------------- */
+/* --- one pixel -------------------------------------------------------------------------------- */
 
 enum { SIDE = 8, MOST = 8 };
 
@@ -153,8 +153,8 @@ static void a_chain_creeps_towards_the_eye_and_never_away(void **state)
     expect_sum(0.1f, 4, (const float[]){ 0.32f, 0.38f, 0.44f, 0.5f }, 3, 0.32f);
 }
 
-/* What is within epsilon of the nearest is in the sum whatever the order, as two passes would have it,
- * and the depth that is left is the nearest. */
+/* What is within epsilon of the nearest is in the sum whatever the order, as two passes would have
+ * it, and the depth that is left is the nearest. */
 static void no_order_loses_what_is_within_epsilon_of_the_nearest(void **state)
 {
     (void)state;
@@ -202,7 +202,7 @@ static void what_replaces_is_blended_with_zero(void **state)
     }
 }
 
-/* --- splats ------------------------------------------------------------------------------------- */
+/* --- splats ----------------------------------------------------------------------------------- */
 
 enum { WIDTH = 150, HEIGHT = 140, SPLATS = 1500, SEEDS = 24 };
 

@@ -184,7 +184,8 @@ static void watching_changes_no_bit(void **state)
 /* How many tests of each unit there were, that passed and that did not. */
 typedef struct Tests {
     int stencil[2], depth[2];
-    int stopped; /* the pixel whose stencil test failed last, as a number; -1: another event came since */
+    /* the pixel whose stencil test failed last, as a number; -1: another event came since */
+    int stopped;
 } Tests;
 
 static void check_test(void *user, const GpTraceEvent *event)

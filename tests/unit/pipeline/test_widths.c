@@ -1,5 +1,5 @@
-/* Lane widths by the processor: what it does not have is refused, and the rest serves every list, those
- * without draws too. Quick, so that it is run as other processors as well. */
+/* Lane widths by the processor: what it does not have is refused, and the rest serves every list,
+ * those without draws too. Quick, so that it is run as other processors as well. */
 #include <glasspipe/glasspipe.h>
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"

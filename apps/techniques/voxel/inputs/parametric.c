@@ -28,10 +28,10 @@ typedef struct Surface {
 
 #define SQUARE (TURN * TURN)
 
-/* A point of the band is at most a = width/2 from the circle, about which it turns half as fast; one
- * of the figure of eight a = 5/4, and (1, 2) is the longest derivative of (sin v, sin 2v), (1, 4) more
- * than its second. Going round at a distance r + a from the axis and turning, by u u it is at most
- * a/4 + (r + a) + a, and by u v 3/2 of what it is by v; a turn is the unit. */
+/* A point of the band is at most a = width/2 from the circle, about which it turns half as fast;
+ * one of the figure of eight a = 5/4, and (1, 2) is the longest derivative of (sin v, sin 2v), (1,
+ * 4) more than its second. Going round at a distance r + a from the axis and turning, by u u it is
+ * at most a/4 + (r + a) + a, and by u v 3/2 of what it is by v; a turn is the unit. */
 static const Surface surfaces[] = {
     { "sphere",
       &voxel_sphere_program,
@@ -96,8 +96,8 @@ GpResult voxel_parametric_box(const char *name, uint32_t size, VoxelBox *box, Gp
 
 /* --- grids ------------------------------------------------------------------------------------ */
 
-/* Longer than this, in voxels, no leg of a triangle is: the squares over their columns stay small, and
- * none reaches over more than two slabs. */
+/* Longer than this, in voxels, no leg of a triangle is: the squares over their columns stay small,
+ * and none reaches over more than two slabs. */
 #define LONGEST 2.0
 
 /* Cells along u and v. */
@@ -105,8 +105,8 @@ typedef struct Grid {
     double cells[2];
 } Grid;
 
-/* A third of the bound for each of u u, u v and v v would do; legs are as long as halves of the rest
- * allow, and both are cut where u v takes more than its half. */
+/* A third of the bound for each of u u, u v and v v would do; legs are as long as halves of the
+ * rest allow, and both are cut where u v takes more than its half. */
 static Grid choose_grid(const Bends *bends, double chord, const VoxelBox *box)
 {
     const double room = 2 * chord / box->scale; /* of h h |Suu| and k k |Svv|: 8 / 4 */
@@ -130,8 +130,9 @@ static double triangles_of(const Grid *grid)
 /* Triangles of a draw: as many as stay in a core's caches from their vertices to their pixels. */
 enum { A_DRAW = 1 << 15 };
 
-/* Appends rows of cells: of each its upper and its lower triangle, in the slab that holds its lowest
- * point and in the one above. in uv: of the first row's corners; cells: their first corners */
+/* Appends rows of cells: of each its upper and its lower triangle, in the slab that holds its
+ * lowest point and in the one above. in uv: of the first row's corners; cells: their first
+ * corners */
 static void draw_rows(Frame *frame, const GpProgram *program, VoxelParametricUniforms *uniforms,
                       float (*uv)[2], uint32_t columns, const uint32_t *cells, uint32_t count,
                       uint32_t rows)
@@ -203,8 +204,8 @@ static double most_bent(const float control[4][4][3], const int (*steps)[2], dou
     return most;
 }
 
-/* A patch's derivatives are means of steps between its control points, three times them by u and by v,
- * of steps of steps six times them by u u and by v v, and nine by u v. */
+/* A patch's derivatives are means of steps between its control points, three times them by u and by
+ * v, of steps of steps six times them by u u and by v v, and nine by u v. */
 static Bends bound_bends(const float control[4][4][3])
 {
     static const int by_uu[3][2] = { { 0, 1 }, { 0, 1 }, { 0, 2 } };

@@ -17,10 +17,11 @@ GpResult voxel_parametric_box(const char *name, uint32_t size, VoxelBox *box, Gp
  * in     chord: in voxels, how far the surface may be from them; how fine the grid is follows from
  *        bounds of the surface's derivatives
  * errors GP_ERROR_INVALID: no such surface; more triangles than VOXEL_PARAMETRIC_MOST
- * source the bound is that of linear interpolation: of a surface S over a triangle with legs h along u
- *        and k along v, (h h |Suu| + 2 h k |Suv| + k k |Svv|) / 8. The mean of S at the corners, with a
- *        point's shares, differs from S there by half the mean of the second derivatives along the
- *        ways to the corners, and the mean square of such a way along u is at most h h / 4 */
+ * source the bound is that of linear interpolation: of a surface S over a triangle with legs h
+ *        along u and k along v, (h h |Suu| + 2 h k |Suv| + k k |Svv|) / 8. The mean of S at the
+ *        corners, with a point's shares, differs from S there by half the mean of the second
+ *        derivatives along the ways to the corners, and the mean square of such a way along u is at
+ *        most h h / 4 */
 enum { VOXEL_PARAMETRIC_MOST = 1 << 26 };
 GpResult voxel_parametric(const char *name, double chord, const VoxelBox *box, Frame *frame,
                           const FlatTexture *flat, GpError *error);

@@ -42,7 +42,8 @@ static void sort_by_shape(const VoxelModel *model, Frame *frame, const VoxelExte
         sorted[next[shape_of(&extents[i], thin)]++] = i;
 }
 
-/* Whether a triangle may reach so many slabs beyond its lowest; one that moves may lie anywhere over them. */
+/* Whether a triangle may reach so many slabs beyond its lowest; one that moves may lie anywhere
+ * over them. */
 static bool reaches(const VoxelExtent *extent, float slabs)
 {
     return floorf(extent->high / SLAB) - floorf(extent->low / SLAB) >= slabs;

@@ -34,7 +34,8 @@ static double greater(double a, double b)
     return a > b ? a : b;
 }
 
-/* Of numbers that a word holds. (By the libraries' own functions a million triangles took twice as long.) */
+/* Of numbers that a word holds. (By the libraries' own functions a million triangles took twice as
+ * long.) */
 static int32_t floor_of(double x)
 {
     const int32_t whole = (int32_t)x;

@@ -30,8 +30,8 @@ typedef struct VoxelList {
 VoxelList voxel_choose(Frame *frame, const VoxelExtent *extents, VoxelList from,
                        VoxelChoice *choice, float about);
 
-/* The triangles that cross a group of slabs, of `depth` voxels from `floor` on, or where it is the top
- * one also what lies above; of a model that moves, all.
+/* The triangles that cross a group of slabs, of `depth` voxels from `floor` on, or where it is the
+ * top one also what lies above; of a model that moves, all.
  * note   a surface above the last centre counts in the whole group; up to the next group's first
  *        centre, half a voxel beyond its end, it does so here
  * owns   the frame; none without memory */

@@ -21,8 +21,8 @@ typedef enum VoxelMethod {
 typedef enum VoxelBlend { VOXEL_ADD, VOXEL_OR } VoxelBlend;
 
 /* What winding numbers are counted in, while they are: half floats, exact up to 2048 triangles that
- * face one way, above a voxel and in its group of 16; or bytes, up to 127. Beyond that a count stays,
- * and what is then subtracted makes it wrong. */
+ * face one way, above a voxel and in its group of 16; or bytes, up to 127. Beyond that a count
+ * stays, and what is then subtracted makes it wrong. */
 typedef enum VoxelCounters { VOXEL_HALF, VOXEL_BYTE } VoxelCounters;
 
 /* What a voxel of 8 or 16 bits holds. */

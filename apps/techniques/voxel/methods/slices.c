@@ -5,7 +5,8 @@
 
 #include <string.h>
 
-/* A bit of a texel's word as a colour. (Bytes of channels, and channels of bytes, are the same table.) */
+/* A bit of a texel's word as a colour. (Bytes of channels, and channels of bytes, are the same
+ * table.) */
 static void color_of_bit(uint32_t bit, float color[4])
 {
     memset(color, 0, sizeof(float[4]));

@@ -1,5 +1,6 @@
 /* Solids by the winding number: fragments that face up add to what is below them, those that face
- * down subtract. Slab by slab from the top, since counters of all voxels at once would be too many. */
+ * down subtract. Slab by slab from the top, since counters of all voxels at once would be too
+ * many. */
 #include "apps/techniques/voxel/methods/lists.h"
 #include "apps/techniques/voxel/methods/methods.h"
 #include "shaders_c/voxel/methods/winding.h"

@@ -11,8 +11,8 @@
 
 enum { WIDE = 128 }; /* voxels a side of the volume whose voxels have these densities */
 
-/* Nothing, skin, flesh, bone: as bytes of a scan by X-rays have them, and other scans roughly. In the
- * place of opacity a density, which adds up along a ray. */
+/* Nothing, skin, flesh, bone: as bytes of a scan by X-rays have them, and other scans roughly. In
+ * the place of opacity a density, which adds up along a ray. */
 static const Transfer densities = { 6,
                                     { { 0, { 0.9, 0.6, 0.4, 0 } },
                                       { 48, { 0.9, 0.6, 0.4, 0 } },
@@ -21,8 +21,8 @@ static const Transfer densities = { 6,
                                       { 140, { 0.95, 0.9, 0.8, 0.12 } },
                                       { 255, { 1, 0.98, 0.92, 0.3 } } } };
 
-/* How much light a voxel takes, as a share of what it lets through: twice as many voxels on the same
- * way take half of it each, nearly. */
+/* How much light a voxel takes, as a share of what it lets through: twice as many voxels on the
+ * same way take half of it each, nearly. */
 static double opacity_of(double density)
 {
     return density / (1 + density);

@@ -151,7 +151,8 @@ GP_INLINE unsigned bin_like(FastRange *range, uint32_t first, unsigned lanes, it
     return in;
 }
 
-/* Lanes whose tile none of the `lanes` has that come shortly before: the first of each tile is one. */
+/* Lanes whose tile none of the `lanes` has that come shortly before: the first of each tile is
+ * one. */
 GP_INLINE unsigned run_firsts(unsigned lanes, itg tiles)
 {
     enum { BEFORE = 2 }; /* strips go to and fro between two tiles */
@@ -165,9 +166,10 @@ GP_INLINE unsigned run_firsts(unsigned lanes, itg tiles)
     return firsts;
 }
 
-/* Puts triangles of the same tile there together, of all `lanes`. Mostly the first one's is all; of others each
- * run comes in turn, which for a later one changes nothing. (To strike out those that are done would make each
- * turn wait for the one before: with AVX-512 bunny_depth takes 6 % more.) */
+/* Puts triangles of the same tile there together, of all `lanes`. Mostly the first one's is all; of
+ * others each run comes in turn, which for a later one changes nothing. (To strike out those that
+ * are done would make each turn wait for the one before: with AVX-512 bunny_depth takes 6 %
+ * more.) */
 GP_INLINE void bin_lanes(FastRange *range, uint32_t first, unsigned lanes, itg tiles)
 {
     uint32_t tile[GP_LANES];
@@ -271,8 +273,8 @@ static void bin_points(const FastPass *pass, FastRange *range, FastPrimitiveMask
 
 /* --- runs ------------------------------------------------------------------------------------- */
 
-/* Some primitives of one draw, and where they are: triangles or points. (In a union gcc would not keep them in
- * registers.) */
+/* Some primitives of one draw, and where they are: triangles or points. (In a union gcc would not
+ * keep them in registers.) */
 typedef struct Run {
     FastPrimitiveMask primitives;
     ScreenTriangles triangles;
@@ -290,9 +292,10 @@ GP_INLINE void load_run(const FastDraw *d, bool points, uint32_t first, uint32_t
         load_corners(d, run->primitives, &run->triangles);
 }
 
-/* Primitives of one draw, while there is memory; returns the first that is left. Runs are loaded one ahead:
- * before the branches of the present one, which wait for its places, and go the wrong way at times. (Two threads,
- * one of which may have shaded what the other bins, take a quarter less for it; one alone a tenth.) */
+/* Primitives of one draw, while there is memory; returns the first that is left. Runs are loaded
+ * one ahead: before the branches of the present one, which wait for its places, and go the wrong
+ * way at times. (Two threads, one of which may have shaded what the other bins, take a quarter less
+ * for it; one alone a tenth.) */
 GP_INLINE uint32_t bin_draw(const FastPass *pass, const FastDraw *d, bool points, FastRange *range,
                             uint32_t first, uint32_t stop)
 {

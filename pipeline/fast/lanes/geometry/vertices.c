@@ -165,8 +165,8 @@ static void fetch(const FastDraw *d, uint32_t first, uint32_t count, Block *bloc
 
 /* --- places ----------------------------------------------------------------------------------- */
 
-/* Bits of the planes that a vertex is outside of, as gp_clip_triangle decides; of a point, as gp_clip_point does,
- * where z and w may both be infinite: their difference is no number. */
+/* Bits of the planes that a vertex is outside of, as gp_clip_triangle decides; of a point, as
+ * gp_clip_point does, where z and w may both be infinite: their difference is no number. */
 static itg outside_planes(const GpGuardBand *band, bool is_point, flt x, flt y, flt z, flt w)
 {
     const flt distance[GP_CLIP_PLANES] = {
@@ -186,8 +186,8 @@ static itg outside_planes(const GpGuardBand *band, bool is_point, flt x, flt y, 
     return bits;
 }
 
-/* To 24.8 fixed point, to nearest even: adding 2^23 leaves no place for a fraction, which numbers from
- * there on have not. */
+/* To 24.8 fixed point, to nearest even: adding 2^23 leaves no place for a fraction, which numbers
+ * from there on have not. */
 static itg snap(flt pixels)
 {
     flt steps = pixels * (float)GP_SUBPIXELS;

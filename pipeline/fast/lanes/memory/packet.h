@@ -24,8 +24,8 @@ typedef struct FastPacket {
     bool gathered;     /* pixels of several triangles: see the gathered packet of the same number */
 } FastPacket;
 
-/* GP_LANES pixels of one draw, each of a triangle or point of its own, from anywhere in the tile. Lanes that are
- * not live have some record of the draw too. */
+/* GP_LANES pixels of one draw, each of a triangle or point of its own, from anywhere in the tile.
+ * Lanes that are not live have some record of the draw too. */
 typedef struct FastGathered {
     itg record;
     itg place; /* x | y << PLACE_Y, in the tile. Of points one pixel may be there several times */

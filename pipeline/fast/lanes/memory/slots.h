@@ -26,8 +26,8 @@ typedef struct FastTileSlots {
 void fast_begin_slots(Tile *tile, const FastSlots *surfaces);
 void fast_store_slots(Tile *tile);
 
-/* Clears what the pass clears, and points to its targets; where the pass will draw loads depth, and leaves
- * colours to fast_hold_targets. */
+/* Clears what the pass clears, and points to its targets; where the pass will draw loads depth, and
+ * leaves colours to fast_hold_targets. */
 void fast_begin_pass(Tile *tile, const FastPass *pass, bool touched);
 
 /* Makes the planes of a slot hold its surface's content. */

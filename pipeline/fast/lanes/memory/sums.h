@@ -1,9 +1,10 @@
 /* Sums: targets of floats that sprites are added to, as splats and glows are.
  *
- * Their rows are short, begin anywhere, and lie on those of the sprite before. So the four channels of
- * a pixel stand side by side: a fragment is added by one load and one store, which never meet the end
- * of a cache line, and what one stores the next one that wants it finds whole. They stay so until
- * someone wants them in planes: a sum that is read in place, and cleared for the next, never is. */
+ * Their rows are short, begin anywhere, and lie on those of the sprite before. So the four channels
+ * of a pixel stand side by side: a fragment is added by one load and one store, which never meet
+ * the end of a cache line, and what one stores the next one that wants it finds whole. They stay so
+ * until someone wants them in planes: a sum that is read in place, and cleared for the next, never
+ * is. */
 #ifndef GP_FAST_SUMS_H
 #define GP_FAST_SUMS_H
 

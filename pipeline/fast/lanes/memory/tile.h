@@ -28,8 +28,8 @@ enum {
     FAST_PIXELS = FAST_PITCH * (FAST_TILE + 3),
 };
 
-/* A colour target inside the tile: packed formats as their words, all others by channel, as the floats that
- * reading the texels back would give. */
+/* A colour target inside the tile: packed formats as their words, all others by channel, as the
+ * floats that reading the texels back would give. */
 typedef union FastPlanes {
     uint32_t packed[FAST_PIXELS];
     float channel[4][FAST_PIXELS];

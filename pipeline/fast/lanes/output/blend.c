@@ -277,8 +277,8 @@ GP_INLINE void blend_channels_of(const GpBlend *blend, GpFormat format, const Bl
         blend_channels(blend, format, m, whole);
 }
 
-/* What peeled layers are drawn and put together by, one layer at a time: an eighth of the time of peeling
- * and of dual peeling, and a fifth of that of convex pieces with AVX2.
+/* What peeled layers are drawn and put together by, one layer at a time: an eighth of the time of
+ * peeling and of dual peeling, and a fifth of that of convex pieces with AVX2.
  * returns whether it was one of these */
 GP_INLINE bool blend_peeled_of(const GpBlend *blend, GpFormat format, const BlendBlock *m,
                                bool whole)

@@ -1,5 +1,5 @@
-/* Blending that only adds, of sprites, into targets of floats: what splats and glows do. While such a draw is
- * at work its targets are sums (memory/sums.h). */
+/* Blending that only adds, of sprites, into targets of floats: what splats and glows do. While such
+ * a draw is at work its targets are sums (memory/sums.h). */
 #ifndef GP_FAST_BLEND_ADD_H
 #define GP_FAST_BLEND_ADD_H
 

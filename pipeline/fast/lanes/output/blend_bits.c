@@ -25,9 +25,9 @@ GP_INLINE itg combine_places(GpBlendOp op, itg place, itg words, itg neutral)
     return all;
 }
 
-/* A pixel may come again. Word by word, a processor that has seen that happen lets each wait for the one
- * before: so all are loaded first (voxelization of a mesh takes 10 to 33 % less with AVX2, 4 to 17
- * with AVX-512). */
+/* A pixel may come again. Word by word, a processor that has seen that happen lets each wait for
+ * the one before: so all are loaded first (voxelization of a mesh takes 10 to 33 % less with AVX2,
+ * 4 to 17 with AVX-512). */
 GP_INLINE void blend_gathered(GpBlendOp op, uint32_t *plane, itg at, itg words, itg neutral)
 {
     const itg stored = itg_gather((const uint8_t *)plane, at * (int32_t)sizeof *plane);

@@ -106,9 +106,9 @@ GP_INLINE bool is_average(const GpBlend *blend)
            blend->dst == GP_INV_SRC_ALPHA && blend->alpha_op == GP_BLEND_OFF;
 }
 
-/* One packet's colours, as the format clamps them, blended with what its pixels hold of a target, and as they
- * are stored. Channel by channel, alpha, which the others ask for, first and last: so the targets of several
- * packets stay in registers.
+/* One packet's colours, as the format clamps them, blended with what its pixels hold of a target,
+ * and as they are stored. Channel by channel, alpha, which the others ask for, first and last: so
+ * the targets of several packets stay in registers.
  * in   clamps: false where the colours are known to be what clamping leaves */
 GP_INLINE void blend_clamped(const GpBlend *blend, GpFormat format, bool clamps,
                              const float constant[4], const flt color[4], flt target[4])
@@ -145,7 +145,8 @@ GP_INLINE void set_constant(const GpState *state, GpFormat format, float constan
     }
 }
 
-/* Blends that are known where pixels are blended as they come, and where they were sorted before. */
+/* Blends that are known where pixels are blended as they come, and where they were sorted
+ * before. */
 static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
 static const GpBlend in_front = { .op = GP_BLEND_ADD,
                                   .src = GP_ONE,

@@ -25,8 +25,8 @@ GP_INLINE utg greater_bits(utg a, utg b)
 #endif
 }
 
-/* By twos: they are found while others are, where one after the other would wait for the one before it (layers
- * over words take 8 to 12 % less). */
+/* By twos: they are found while others are, where one after the other would wait for the one before
+ * it (layers over words take 8 to 12 % less). */
 GP_INLINE utg greatest_bits(const flt v[4])
 {
     return greater_bits(greater_bits((utg)v[0], (utg)v[1]), greater_bits((utg)v[2], (utg)v[3]));

@@ -182,8 +182,8 @@ void fast_set_up_batch(const Filler *f, const BatchCorners *found, TriangleBatch
     set_edges(&corners, b);
 
     b->tiny = b->small & msk_bits((msk)((b->width | b->height) < 4));
-    /* with larger ones it would be filled in pieces, one way and the other in turn: where that is no help to
-     * the shader, shadow maps take 3 to 7 % more */
+    /* with larger ones it would be filled in pieces, one way and the other in turn: where that is
+     * no help to the shader, shadow maps take 3 to 7 % more */
     const bool mixed = d->path != FAST_ORDERED && b->tiny != b->small;
     if (mixed || __builtin_popcount(b->tiny) < WORTH_IT)
         b->tiny = 0;

@@ -20,7 +20,8 @@ typedef struct TriangleBatch {
     dbl base, step[2];     /* of depth */
     flt nearest;           /* no pixel's depth is below */
 
-    /* for shading: the corner that is nearest to the eye, and of the two after it, edges and ratios as in a record */
+    /* for shading: the corner that is nearest to the eye, and of the two after it, edges and ratios
+     * as in a record */
     itg area2, shade_first;
     itg shade_edge[2], shade_steps[2];
     flt ratio[2];

@@ -18,8 +18,9 @@ void fast_find_corners(const FastDraw *d, const uint32_t *primitives, uint32_t c
     }
 }
 
-/* An edge of triangles that turn to the front, or turned so: the least and the greatest of its function over a
- * rectangle. They are exact, integers below 2^53, then rounded, which keeps their signs. */
+/* An edge of triangles that turn to the front, or turned so: the least and the greatest of its
+ * function over a rectangle. They are exact, integers below 2^53, then rounded, which keeps their
+ * signs. */
 typedef struct EdgeReach {
     flt least, greatest;
 } EdgeReach;
@@ -56,8 +57,8 @@ typedef struct OpenEdge {
     itg from[2], to[2];
 } OpenEdge;
 
-/* Lanes whose open edge is that of the lane before, the other way round: of two that face one way the fill rule
- * gives each pixel on it to one (R5). */
+/* Lanes whose open edge is that of the lane before, the other way round: of two that face one way
+ * the fill rule gives each pixel on it to one (R5). */
 static unsigned share_edge(const OpenEdge *open, msk turned)
 {
     msk shared = open->one & itg_shift_in(open->one, 0) & ~(turned ^ itg_shift_in(turned, 0));

@@ -33,8 +33,9 @@ GP_INLINE void load_corners(const Tile *tile, const BatchCorners *from, Corners 
     }
 }
 
-/* Lanes whose triangle covers every pixel of a rectangle; covers it together with that of the lane before, as
- * the halves of a larger rectangle do; and covers no pixel. Not all of them: what is not told may be so, too. */
+/* Lanes whose triangle covers every pixel of a rectangle; covers it together with that of the lane
+ * before, as the halves of a larger rectangle do; and covers no pixel. Not all of them: what is not
+ * told may be so, too. */
 typedef struct FastBetween {
     unsigned all, with_previous, none;
 } FastBetween;
@@ -42,8 +43,9 @@ typedef struct FastBetween {
 /* What of a rectangle of the target, which is in the tile and not empty, lies between corners. */
 FastBetween fast_between_corners(const Tile *tile, const Corners *corners, const GpRect *rect);
 
-/* Where nothing looks at depth, and what comes last replaces what was there: the number of primitives at the
- * front that one or two behind them hide, all over the tile. (Screens full of rectangles take a third.) */
+/* Where nothing looks at depth, and what comes last replaces what was there: the number of
+ * primitives at the front that one or two behind them hide, all over the tile. (Screens full of
+ * rectangles take a third.) */
 uint32_t fast_hidden_by_cover(const Tile *tile, const uint32_t *primitives, uint32_t count);
 
 #endif

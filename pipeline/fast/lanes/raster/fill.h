@@ -17,8 +17,8 @@ void fast_fill_one_color(const Filler *filler, const TriangleBatch *batch, unsig
 typedef enum FastCover { FAST_COVERS_NONE, FAST_COVERS_SOME, FAST_COVERS_ALL } FastCover;
 FastCover fast_cover(const Tile *tile, const GpTriangle *triangle);
 
-/* Strips of a tile, GP_LANES pixels wide, of which not all is hidden from codes of `nearest` on: bit i of
- * of_row[y] is that from x = i GP_LANES on. */
+/* Strips of a tile, GP_LANES pixels wide, of which not all is hidden from codes of `nearest` on:
+ * bit i of of_row[y] is that from x = i GP_LANES on. */
 typedef struct FastNotHidden {
     int32_t nearest;
     uint32_t of_row[FAST_TILE];
@@ -27,8 +27,8 @@ typedef struct FastNotHidden {
 _Static_assert(FAST_TILE / GP_LANES <= 32, "strips of a row have a bit each");
 
 /* One set-up triangle of any size, by the path of its draw.
- * inout strips: of a draw whose nearest fragment wins, of which no code is nearer; what the tile's depths now
- *       hide leaves them. NULL: nothing is known */
+ * inout strips: of a draw whose nearest fragment wins, of which no code is nearer; what the tile's
+ *       depths now hide leaves them. NULL: nothing is known */
 void fast_fill_large(Tile *tile, const GpTriangle *triangle, FastNotHidden *strips);
 
 #endif

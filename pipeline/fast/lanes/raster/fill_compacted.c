@@ -1,5 +1,6 @@
 /* Triangles of a few pixels that are shaded in order, without depth: their pixels, compacted, side
- * by side in gathered packets. A pixel is at most once in a packet, so that what blends with it comes
+ * by side in gathered packets. A pixel is at most once in a packet, so that what blends with it
+ * comes
  * in a later one. */
 #include "pipeline/fast/lanes/raster/fill.h"
 

@@ -159,9 +159,9 @@ static EarlyTest early_test(const Filler *f, const GpTriangle *t)
 
 /* --- user clip planes ------------------------------------------------------------------------- */
 
-/* Whether a plane leaves nothing of a triangle: all corners are farther outside than the rounding of
- * what is interpolated between them can bring back, which is some 2^-21 of their distances where no
- * share overflows. */
+/* Whether a plane leaves nothing of a triangle: all corners are farther outside than the rounding
+ * of what is interpolated between them can bring back, which is some 2^-21 of their distances where
+ * no share overflows. */
 static bool is_cut_away(const FastDraw *d, const GpTriangle *t)
 {
     if (!(t->rw_ratio[0] > 0x1p-100f && t->rw_ratio[1] > 0x1p-100f))
@@ -179,8 +179,9 @@ static bool is_cut_away(const FastDraw *d, const GpTriangle *t)
     return false;
 }
 
-/* Shares of a triangle's second and third corner, from its nearest on, at the centres of pixels from
- * (x, y) in the tile on: gp_interpolate_barycentrics in lanes. Edges are integers below 2^53. */
+/* Shares of a triangle's second and third corner, from its nearest on, at the centres of pixels
+ * from (x, y) in the tile on: gp_interpolate_barycentrics in lanes. Edges are integers below
+ * 2^53. */
 static void find_shares(const Tile *tile, const GpTriangle *t, const LaneSteps *steps, int32_t x,
                         int32_t y, flt share[2])
 {
@@ -263,8 +264,8 @@ static void queue_rows(const Filler *f, const Coverage *coverage)
     }
 }
 
-/* The same of a draw of which only the front is shaded: runs of the triangle's number. A hundred rectangles
- * on each other take a quarter less than with every pixel asked. */
+/* The same of a draw of which only the front is shaded: runs of the triangle's number. A hundred
+ * rectangles on each other take a quarter less than with every pixel asked. */
 static void show_rows(const Filler *f, const Coverage *coverage)
 {
     const itg number = itg_set((int32_t)f->number);
@@ -336,8 +337,8 @@ typedef struct StripFilling {
     LaneSteps steps;
 } StripFilling;
 
-/* Queues a packet of a strip, a row's or one of quads. One of which nothing is left is written over by the next:
- * whether something is, is hard to foresee (discard_tex takes 9 % less).
+/* Queues a packet of a strip, a row's or one of quads. One of which nothing is left is written over
+ * by the next: whether something is, is hard to foresee (discard_tex takes 9 % less).
  * returns whether the strip is not all hidden here */
 GP_INLINE bool queue_part(const StripFilling *w, bool whole, bool quads, int32_t x, int32_t y)
 {

@@ -1,4 +1,5 @@
-/* Small triangles of one colour, whose fragments go into the lists of their pixels: some rows at a time. */
+/* Small triangles of one colour, whose fragments go into the lists of their pixels: some rows at a
+ * time. */
 #include "pipeline/fast/lanes/raster/column.h"
 #include "pipeline/fast/lanes/raster/fill.h"
 

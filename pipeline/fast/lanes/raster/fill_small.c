@@ -18,8 +18,8 @@ GP_INLINE msk can_pass(const Filling *w, itg stored)
     return (msk)(w->code - w->f->allowance < stored);
 }
 
-/* The usual test, where nothing is ordered. Steps of which nothing is visible go on: a branch there is hard to
- * foresee (meshes take 2 to 7 % less; small draws that hide each other 3 % more).
+/* The usual test, where nothing is ordered. Steps of which nothing is visible go on: a branch there
+ * is hard to foresee (meshes take 2 to 7 % less; small draws that hide each other 3 % more).
  * returns numbers that are negative in lanes that pass */
 GP_INLINE itg fill_rows(const Filling *w, const Column *c, int32_t x, int32_t y)
 {

@@ -1,5 +1,5 @@
-/* Points whose fragments share packets, whatever points they are of. The values of GP_LANES points are
- * laid side by side, so that an input of a packet of their fragments is one shuffle.
+/* Points whose fragments share packets, whatever points they are of. The values of GP_LANES points
+ * are laid side by side, so that an input of a packet of their fragments is one shuffle.
  *
  * Fragments that combine bits with what was there have no order. Those that add, or leave their
  * depth, keep that of their points, and are taken one run of neighbours after the other, so that a
@@ -69,8 +69,8 @@ static void load_varyings(const FastDraw *d, const uint32_t vertex[GP_LANES], it
     }
 }
 
-/* Packets of a block, which differ in what lives alone. One record serves them all: it only tells that
- * points face the eye. */
+/* Packets of a block, which differ in what lives alone. One record serves them all: it only tells
+ * that points face the eye. */
 static void begin_packets(Tile *tile)
 {
     fast_reserve_records(tile, 1);
@@ -150,8 +150,8 @@ GP_INLINE void fill_values(const Source *s, itg point, int first, int end, flt *
         keep_fresh(&in[c], (flt)itg_permute(s->varying[c], point), s->fresh, whole);
 }
 
-/* The same of all components. Four lanes fetch them sooner than they find them among the values that
- * lie side by side. */
+/* The same of all components. Four lanes fetch them sooner than they find them among the values
+ * that lie side by side. */
 static void fetch_values(const Fragments *f, itg point, flt *in, msk fresh, bool whole)
 {
     const FastDraw *d = f->filler.d;
@@ -237,8 +237,8 @@ GP_INLINE void add_small(Fragments *f, unsigned small)
     }
 }
 
-/* Lanes of a row of a sprite that pass the tests before the shader; code: of its depth, or that itself
- * where the test is not the usual. */
+/* Lanes of a row of a sprite that pass the tests before the shader; code: of its depth, or that
+ * itself where the test is not the usual. */
 GP_INLINE msk test_row(const Filler *f, EarlyTest early, uint32_t at, msk inside, itg code)
 {
     if (is_usual(early))
@@ -250,7 +250,8 @@ GP_INLINE msk test_row(const Filler *f, EarlyTest early, uint32_t at, msk inside
     return inside;
 }
 
-/* Rows of one box, of at most GP_LANES pixels; where there are pairs, of an even number of fragments. */
+/* Rows of one box, of at most GP_LANES pixels; where there are pairs, of an even number of
+ * fragments. */
 GP_INLINE void add_rows(Fragments *f, EarlyTest early, int32_t x, int32_t pixels, int32_t point,
                         itg code)
 {

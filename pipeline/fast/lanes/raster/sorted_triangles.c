@@ -19,8 +19,8 @@ typedef struct Range {
 } Range;
 
 /* Depths in the tile, before they are rounded to binary32: least and greatest at corners of the
- * box, but for three roundings of the terms' size at most, there and anywhere. Numbers all: a corner
- * has a place only with a finite depth (R3), and biases are finite. */
+ * box, but for three roundings of the terms' size at most, there and anywhere. Numbers all: a
+ * corner has a place only with a finite depth (R3), and biases are finite. */
 static Range depth_range(const GpTriangle *t)
 {
     Range range = { HUGE_VAL, -HUGE_VAL };
@@ -84,8 +84,8 @@ static bool is_any_left(const FastNotHidden *strips, int32_t first, int32_t last
     return any;
 }
 
-/* What is hidden stays so while depths only come nearer, and triangles are not nearer than the one for
- * which it was found. */
+/* What is hidden stays so while depths only come nearer, and triangles are not nearer than the one
+ * for which it was found. */
 static void fill_visible(Tile *tile, const FastSortedTriangle *sorted, FastNotHidden *strips)
 {
     const GpTriangle *t = &sorted->triangle;

@@ -32,8 +32,8 @@ GP_INLINE uint32_t vertex_of(const FastDraw *d, uint32_t primitive)
     return (d->indices ? d->indices[at] : at) - d->first_vertex;
 }
 
-/* Inputs of some vertices in a row, where these are shaded again. (By gp_prefetch, whose lines are counted, voxelization
- * takes 5 % more: whether one vertex is on two lines is hard to foresee.) */
+/* Inputs of some vertices in a row, where these are shaded again. (By gp_prefetch, whose lines are
+ * counted, voxelization takes 5 % more: whether one vertex is on two lines is hard to foresee.) */
 GP_PREFETCHES void prefetch_inputs(const FastDraw *d, uint32_t vertex, uint32_t count)
 {
     const GpStream *stream = &d->draw->geometry.streams[d->draw->program->inputs[0].semantic];

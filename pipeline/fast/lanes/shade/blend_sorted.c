@@ -65,8 +65,8 @@ GP_INLINE void exchange(Column *column, int32_t first, int32_t second)
     column->shaded[second] = itg_select(turned, number[0], number[1]);
 }
 
-/* By a network of n log^2 n / 4 exchanges: Batcher, "Sorting networks and their applications", 1968, for any n as
- * Knuth has it (algorithm 5.2.2 M). */
+/* By a network of n log^2 n / 4 exchanges: Batcher, "Sorting networks and their applications",
+ * 1968, for any n as Knuth has it (algorithm 5.2.2 M). */
 static void sort_by_network(Column *column)
 {
     int32_t most = 1;

@@ -124,8 +124,8 @@ static void close_ranks(FastFragments *f)
             f->shaded[of] = f->moved[f->shaded[of]];
 }
 
-/* Ends the slice earlier, so that some of what waits is left to later ones: half of what is at a pixel whose
- * list is full, or half of all. */
+/* Ends the slice earlier, so that some of what waits is left to later ones: half of what is at a
+ * pixel whose list is full, or half of all. */
 static void end_earlier(Tile *tile, const uint32_t *pixel)
 {
     FastFragments *f = tile->fragments;

@@ -1,9 +1,10 @@
 /* Fragments of a pass that sorts: shaded, they wait in lists of their pixels until all have come.
  *
- * Where a tile has more of them than there is room for, it is drawn in slices: those whose turn comes
- * first are kept, by their keys, and blended; then all draws of the pass come again, for the rest.
- * A slice ends between two keys, so equal depths are never parted; if even those of one key are too
- * many they are blended as they come, which is their order. No bit depends on where slices end. */
+ * Where a tile has more of them than there is room for, it is drawn in slices: those whose turn
+ * comes first are kept, by their keys, and blended; then all draws of the pass come again, for the
+ * rest. A slice ends between two keys, so equal depths are never parted; if even those of one key
+ * are too many they are blended as they come, which is their order. No bit depends on where slices
+ * end. */
 #ifndef GP_FAST_FRAGMENTS_H
 #define GP_FAST_FRAGMENTS_H
 
@@ -36,8 +37,8 @@ size_t fast_least_fragment_bytes(void);
 /* Begins the first slice of the present pass. */
 void fast_begin_fragments(Tile *tile);
 
-/* Whether every list has room for one more fragment, and what was shaded for a packet; where not, makes
- * it, which may end the slice earlier. What waits to be shaded must have been. */
+/* Whether every list has room for one more fragment, and what was shaded for a packet; where not,
+ * makes it, which may end the slice earlier. What waits to be shaded must have been. */
 GP_INLINE bool fast_has_layer(const FastFragments *f)
 {
     return f->deepest < f->layers && f->shaded_count + GP_LANES <= f->room;
@@ -71,9 +72,10 @@ GP_INLINE void fast_add_fragment(FastFragments *f, uint32_t at, uint32_t key, ui
     f->shaded[place] = shaded;
 }
 
-/* The same of `live` pixels of some rows from a place on, of what was shaded once: those whose lists are equally
- * long, at once. What sorts fragments takes 20 to 25 % less than one by one. (Chosen by the other lanes, which
- * keep what may never have been set, and not by these: so valgrind can tell that these are.) */
+/* The same of `live` pixels of some rows from a place on, of what was shaded once: those whose
+ * lists are equally long, at once. What sorts fragments takes 20 to 25 % less than one by one.
+ * (Chosen by the other lanes, which keep what may never have been set, and not by these: so
+ * valgrind can tell that these are.) */
 GP_INLINE void fast_add_fragments(FastFragments *f, uint32_t at, int32_t wide, msk live, itg keys,
                                   uint32_t shaded)
 {

@@ -44,7 +44,8 @@ GP_INLINE msk fetch_words(const FastTriangleRecord *const records[GP_LANES], uin
     return (msk)(word[KIND] == FAST_EDGES_64);
 }
 
-/* Four or eight components from `first` on, of a corner of each; flat: of that which has the flat values. */
+/* Four or eight components from `first` on, of a corner of each; flat: of that which has the flat
+ * values. */
 GP_INLINE void load_components(const FastTriangleRecord *const records[GP_LANES], int corner,
                                bool flat, int first, int components, itg v[8])
 {
@@ -176,7 +177,8 @@ static void set_weights(const Tile *tile, const FastDraw *d, const FastGathered 
     }
 }
 
-/* Neighbouring components of one mode: v0 + (s1 (v1 - v0) + s2 (v2 - v0)), with the differences at hand. */
+/* Neighbouring components of one mode: v0 + (s1 (v1 - v0) + s2 (v2 - v0)), with the differences at
+ * hand. */
 GP_INLINE void interpolate_neighbours(const FastLaneRuns *runs, const Spread *spread,
                                       const flt weight[2][FAST_BLOCK], int first, int components,
                                       int count, int stride, flt *in)

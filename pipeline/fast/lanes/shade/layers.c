@@ -42,7 +42,8 @@ static bool find_layers(const Tile *tile, const FastLayers *layers, Layer *layer
     return true;
 }
 
-/* Whether the shader can interpolate: what varies varies in one way, and all layers have one shape. */
+/* Whether the shader can interpolate: what varies varies in one way, and all layers have one
+ * shape. */
 static bool leaves_interpolation(const FastDraw *d, const FastLayers *layers, const Layer *layer)
 {
     const uint64_t perspective = d->varyings_by[GP_PERSPECTIVE],
@@ -54,7 +55,8 @@ static bool leaves_interpolation(const FastDraw *d, const FastLayers *layers, co
     return leaves;
 }
 
-/* Gives a block, whose packets are [layer][pixels], interpolants from weights that all layers share.
+/* Gives a block, whose packets are [layer][pixels], interpolants from weights that all layers
+ * share.
  * out  weights, interpolants: what the block then points at */
 static void set_interpolants(const Tile *tile, const Layer *layer, FastPacketBlock *block,
                              FastWeights *weights, GpInterpolants *interpolants)
@@ -96,8 +98,8 @@ static void begin_packets(const FastLayers *layers, uint32_t count, FastPacket *
             set_packet(&packets[k * count + i], layers->record[k], 0, 0, ALL_LANES, GP_LANES);
 }
 
-/* Packets of some layers on the next `count` packets of the box, whose first is at (x, y). Those of a
- * box without an edge to the right live whole, as they began. */
+/* Packets of some layers on the next `count` packets of the box, whose first is at (x, y). Those of
+ * a box without an edge to the right live whole, as they began. */
 static void place_packets(const FastLayers *layers, uint32_t placed, bool whole, uint32_t count,
                           int32_t *x, int32_t *y, FastPacket *packets)
 {
@@ -127,8 +129,8 @@ static void move_packets(uint32_t count, int32_t rows, FastPacket *packets)
         packets[i].y = (uint8_t)(packets[i].y + rows);
 }
 
-/* Of how many layers someone asks where packets are: plain ones, which share their weights' places and
- * are blended as layers, say it for all by their first. */
+/* Of how many layers someone asks where packets are: plain ones, which share their weights' places
+ * and are blended as layers, say it for all by their first. */
 static uint32_t layers_to_place(const FastDraw *d, bool plain, uint32_t layers)
 {
     const GpProgram *program = d->draw->program;
@@ -138,8 +140,8 @@ static uint32_t layers_to_place(const FastDraw *d, bool plain, uint32_t layers)
     return first ? 1 : layers;
 }
 
-/* Whether the shader gives all pixels the same colour, which layers are drawn for: it looks at nothing that
- * differs. */
+/* Whether the shader gives all pixels the same colour, which layers are drawn for: it looks at
+ * nothing that differs. */
 static bool are_alike(Tile *tile)
 {
     const FastDraw *d = tile->draw;

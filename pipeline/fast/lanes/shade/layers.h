@@ -1,7 +1,7 @@
 /* Layers: boxes of one place that lie one on the other, as what covers the screen again and again.
  * They are shaded a few pixels at a time, all layers of these before the next, so that what is
- * blended stays in the nearest cache. Shaders that interpolate take twice as many at once: fill_blend32f
- * takes 8 % less. */
+ * blended stays in the nearest cache. Shaders that interpolate take twice as many at once:
+ * fill_blend32f takes 8 % less. */
 #ifndef GP_FAST_LAYERS_H
 #define GP_FAST_LAYERS_H
 

@@ -59,8 +59,8 @@ GP_INLINE msk test_run(const Tile *tile, const FastDraw *d, uint32_t *at, msk al
     return alive;
 }
 
-/* Points' fragments, of which several may be on one pixel: run by run; but all at once where no depth
- * comes nearer by the ternary test, as is usual once the nearest have come. */
+/* Points' fragments, of which several may be on one pixel: run by run; but all at once where no
+ * depth comes nearer by the ternary test, as is usual once the nearest have come. */
 static unsigned test_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered,
                               unsigned live, flt z, unsigned *replaced)
 {

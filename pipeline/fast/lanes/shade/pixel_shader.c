@@ -25,7 +25,8 @@ static void set_faces(const Tile *tile, const FastPacketBlock *packets, float *f
                 face[lane] = records[packets->gathered[p].record[lane]].face;
 }
 
-/* Of a shader that gives what it reads and no more: it is not asked. Sheets take 3 % less, with AVX-512 8 %. */
+/* Of a shader that gives what it reads and no more: it is not asked. Sheets take 3 % less, with
+ * AVX-512 8 %. */
 static void show_texels(const GpShaderCall *call, int slot)
 {
     for (int p = 0; p < call->packets; p++)
@@ -59,7 +60,8 @@ void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacketBlock 
         .color = block->color,
         .depth = program->writes_depth ? block->shader_depth : NULL,
         .killed = program->may_discard ? block->killed : NULL,
-        /* named, or gcc clears all by one slow instruction: small blocks of points wait for it (2 to 4 % with AVX2) */
+        /* named, or gcc clears all by one slow instruction: small blocks of points wait for it (2
+         * to 4 % with AVX2) */
         .position = NULL,
         .varying = NULL,
         .point_size = NULL,

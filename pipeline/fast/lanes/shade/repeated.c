@@ -9,8 +9,8 @@
 
 /* --- blocks of packets ------------------------------------------------------------------------ */
 
-/* Before all blocks: of each row's part the number of the first packet of the draw that is being found.
- * Numbers of packets count from 1 on; 0: there is none yet. */
+/* Before all blocks: of each row's part the number of the first packet of the draw that is being
+ * found. Numbers of packets count from 1 on; 0: there is none yet. */
 enum { ROW_PARTS = FAST_PIXELS / GP_LANES };
 typedef struct FirstPackets {
     _Alignas(64) uint32_t number[ROW_PARTS];
@@ -48,8 +48,8 @@ static void set_blocks(FastRepeated *r, const FastDraw *d)
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-/* Whether fragments that fail the depth test now, before the shader, would fail it after: what is stored
- * only comes nearer. */
+/* Whether fragments that fail the depth test now, before the shader, would fail it after: what is
+ * stored only comes nearer. */
 static bool fails_early(const FastDraw *d)
 {
     const GpCompare test = d->draw->state.depth.test;
@@ -57,7 +57,8 @@ static bool fails_early(const FastDraw *d)
            (test == GP_LESS || test == GP_LESS_EQUAL);
 }
 
-/* Takes packets of which nothing passes out of a block: of eight models in each other a quarter of all.
+/* Takes packets of which nothing passes out of a block: of eight models in each other a quarter of
+ * all.
  * out  nearer: the others, whose inputs are then in the shader block */
 static void find_nearer(Tile *tile, const FastPacketBlock *block, FastPacket *packets,
                         float *depths, FastPacketBlock *nearer)
@@ -202,8 +203,9 @@ GP_INLINE uint32_t next_packet(Tile *tile, uint32_t at)
     return *link_of(r, at) = number; /* may be another link now: there may have been no room */
 }
 
-/* A packet's lanes, one by one: they lie in several rows, and go on in several packets. (By lanes of a row
- * at a time it is no quicker: triangles are small.) Lanes that none of them takes have another's inputs. */
+/* A packet's lanes, one by one: they lie in several rows, and go on in several packets. (By lanes
+ * of a row at a time it is no quicker: triangles are small.) Lanes that none of them takes have
+ * another's inputs. */
 static void keep_packet(Tile *tile, const FastPacketBlock *block, int p, const float *in)
 {
     FastRepeated *r = tile->repeated;

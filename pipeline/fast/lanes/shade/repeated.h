@@ -1,10 +1,11 @@
-/* Fragments of draws that come again (draws/repeat.h): found and interpolated once for a tile, and kept for
- * all passes that draw them, each of which only shades, tests and blends.
+/* Fragments of draws that come again (draws/repeat.h): found and interpolated once for a tile, and
+ * kept for all passes that draw them, each of which only shades, tests and blends.
  *
- * They are kept as packets that are rows of the tile: the first fragments of neighbouring pixels side by
- * side, then the second ones, and so on. So what stood in small triangles, a few lanes of each packet, fills
- * packets, and their pixels lie in order in every plane: peeling and dual peeling of a scan take less than
- * half as long. Where there is no more room, what is there is drawn, and later passes find it again. */
+ * They are kept as packets that are rows of the tile: the first fragments of neighbouring pixels
+ * side by side, then the second ones, and so on. So what stood in small triangles, a few lanes of
+ * each packet, fills packets, and their pixels lie in order in every plane: peeling and dual
+ * peeling of a scan take less than half as long. Where there is no more room, what is there is
+ * drawn, and later passes find it again. */
 #ifndef GP_FAST_REPEATED_H
 #define GP_FAST_REPEATED_H
 

@@ -75,7 +75,8 @@ static void end_packed(Collector *c)
     add_all_packed(c);
 }
 
-/* Many at a time become packets: whether one is full would be asked of each, and hard to foresee. */
+/* Many at a time become packets: whether one is full would be asked of each, and hard to
+ * foresee. */
 static void pack(Collector *c, unsigned lanes, itg record, itg place)
 {
     itg_compress(c->record + c->sparse, lanes, record);
@@ -105,7 +106,8 @@ static void add_packet(Collector *c, uint32_t record, const FastPacket *place)
 
 /* --- collecting ------------------------------------------------------------------------------- */
 
-/* Rows of several triangles go as they are: behind four targets pixels on their own take 22 % more. */
+/* Rows of several triangles go as they are: behind four targets pixels on their own take 22 %
+ * more. */
 static void collect_row(Collector *c, const FastPacket *row, itg shown, msk mine)
 {
     const unsigned live = msk_bits(mine);
@@ -263,9 +265,9 @@ static void settle_occluder(Tile *tile)
     v->occluder = FAST_NO_RECORD;
 }
 
-/* Where nothing came after the full-tile occluder, the tile is one layer of it, and nobody looks at its
- * records: textured fills take 11 % less. Shaders that look at their neighbours want quads, which layers
- * have not.
+/* Where nothing came after the full-tile occluder, the tile is one layer of it, and nobody looks at
+ * its records: textured fills take 11 % less. Shaders that look at their neighbours want quads,
+ * which layers have not.
  * returns false, and nothing done, where that is not so */
 static bool shade_occluder(Tile *tile)
 {
@@ -305,7 +307,8 @@ void fast_flush_visibility(Tile *tile)
     if (any) {
         if (!shade_occluder(tile))
             shade_runs(tile);
-        /* no pixel has a record where the occluder was the first to come, and all: fills take 3 to 7 % less */
+        /* no pixel has a record where the occluder was the first to come, and all: fills take 3 to
+         * 7 % less */
         if (v->occluder != FAST_NO_RECORD + 1)
             memset(v->record, 0, sizeof v->record);
     }

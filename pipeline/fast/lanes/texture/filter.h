@@ -37,8 +37,8 @@ GP_INLINE itg load_narrow(const uint8_t *texels, itg offset, int bytes)
     return (itg) __builtin_convertvector(all, utg);
 }
 
-/* All texels of a format of up to 4 bytes. Where lower ones share the upper ones' addresses, textured fills take
- * 6 % less. */
+/* All texels of a format of up to 4 bytes. Where lower ones share the upper ones' addresses,
+ * textured fills take 6 % less. */
 GP_INLINE void load_words(const FastSampler *s, const Footprint *f, int taps, itg word[4])
 {
     if (s->shift == 0 && taps == 4 && f->adjacent) {
@@ -140,8 +140,8 @@ GP_INLINE flt lerp_rows(utg upper, utg lower, flt part_upper, flt part_lower)
     return sum / (255.0f / ONE);
 }
 
-/* Blue and red are the even bytes of an A8R8G8B8 texel, green and alpha the odd ones; R8 and L8 have
- * their only channel where blue is. */
+/* Blue and red are the even bytes of an A8R8G8B8 texel, green and alpha the odd ones; R8 and L8
+ * have their only channel where blue is. */
 GP_INLINE void filter_codes(const FastSampler *s, const Footprint *f, int taps, flt rgba[4])
 {
     itg word[4];

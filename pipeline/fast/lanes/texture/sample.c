@@ -9,8 +9,8 @@
 
 /* --- one level -------------------------------------------------------------------------------- */
 
-/* The packet to the right mostly reads as far behind this one's last texel as that lies behind its first:
- * discard_tex, which waits for little else, takes 12 % less. */
+/* The packet to the right mostly reads as far behind this one's last texel as that lies behind its
+ * first: discard_tex, which waits for little else, takes 12 % less. */
 GP_INLINE void prefetch_next(const Footprint *f)
 {
     const itg offset = f->offset[0];
@@ -18,8 +18,9 @@ GP_INLINE void prefetch_next(const Footprint *f)
     __builtin_prefetch((const void *)((uintptr_t)f->texels + (uintptr_t)next));
 }
 
-/* Of a shadow map, which is seen from elsewhere, each lane mostly reads another row, as far behind this
- * packet's. Every other lane's row is as good as all of them: shadow_hw takes 4 to 5 % less. */
+/* Of a shadow map, which is seen from elsewhere, each lane mostly reads another row, as far behind
+ * this packet's. Every other lane's row is as good as all of them: shadow_hw takes 4 to 5 %
+ * less. */
 GP_INLINE void prefetch_next_rows(const Footprint *f)
 {
     const itg offset = f->offset[0];

@@ -52,8 +52,8 @@ static void hold_targets(Tile *tile, const FastDraw *d)
                       d->only_adds && d->packs_points);
 }
 
-/* Between draws: packets wait for one draw only, and what is visible must be shaded before a draw that
- * looks at the targets. */
+/* Between draws: packets wait for one draw only, and what is visible must be shaded before a draw
+ * that looks at the targets. */
 static void begin_draw(Tile *tile, uint32_t number)
 {
     flush_draw(tile);
@@ -211,7 +211,8 @@ static void draw_bins(Tile *tile, const FastPass *pass, uint32_t number)
     draw_waiting(tile, &waiting);
 }
 
-/* All draws of a pass; of one that sorts those fragments which have their turn in the present slice. */
+/* All draws of a pass; of one that sorts those fragments which have their turn in the present
+ * slice. */
 static void draw_slice(Tile *tile, const FastPass *pass, uint32_t number)
 {
     tile->draw = NULL;
@@ -254,8 +255,8 @@ static void clear_tile(const Tile *tile, const FastGroup *group)
             fast_clear_box(group->passes[p].pass, &box, true);
 }
 
-/* What one worker needs: the tile, and the memory of its stages. What most draws use comes first: of four targets no more
- * than a large page of it is touched, by the worker itself. */
+/* What one worker needs: the tile, and the memory of its stages. What most draws use comes first:
+ * of four targets no more than a large page of it is touched, by the worker itself. */
 struct FastTileMemory {
     Tile tile;
     FastShaderBlock block;

@@ -1,4 +1,5 @@
-/* What an input says: by what is in its files, whatever they are called, and however often they are named. */
+/* What an input says: by what is in its files, whatever they are called, and however often they are
+ * named. */
 #include "apps/base/content.h"
 #include "apps/base/text.h"
 #include "tests/support/folder.h"

@@ -18,7 +18,8 @@ static int compare(const void *a, const void *b)
     return 0;
 }
 
-/* Few values, so that many places have several vertices; zeros of both signs, subnormals and the largest. */
+/* Few values, so that many places have several vertices; zeros of both signs, subnormals and the
+ * largest. */
 static void scatter(void)
 {
     static const float values[] = { 0,    -0.0f,  1e-45f,   -1e-45f,     1,

@@ -1,4 +1,5 @@
-/* Where a body is for a camera, against its corners and random points of it, projected one by one. */
+/* Where a body is for a camera, against its corners and random points of it, projected one by
+ * one. */
 #include "apps/base/reach.h"
 
 #include "tests/support/random.h"

@@ -1,5 +1,5 @@
-/* Benchmark cases: they are the peers' by name and amount, valid, and their pictures are right where
- * mathematics says what is right. */
+/* Benchmark cases: they are the peers' by name and amount, valid, and their pictures are right
+ * where mathematics says what is right. */
 #include "apps/bench/cases.h"
 #include "apps/bench/data.h"
 #include "shaders_c/bench/surface_maps.h"
@@ -47,7 +47,7 @@ static uint8_t *picture_of(const char *name)
     return rgba;
 }
 
-/* --- the table ----------------------------------------------------------------------------------- */
+/* --- the table -------------------------------------------------------------------------------- */
 
 static void cases_are_those_of_the_peers(void **state)
 {
@@ -67,7 +67,8 @@ static void cases_are_those_of_the_peers(void **state)
     assert_null(bench_case_find("no such case"));
 }
 
-/* Also that the rates divide by what is really drawn; some cases tell what that is in each frame. */
+/* Also that the rates divide by what is really drawn; some cases tell what that is in each
+ * frame. */
 static void every_case_is_valid_and_draws_what_the_table_says(void **state)
 {
     (void)state;
@@ -113,7 +114,7 @@ static void layers_are_one_group(void **state)
     }
 }
 
-/* --- generators ---------------------------------------------------------------------------------- */
+/* --- generators ------------------------------------------------------------------------------- */
 
 /* The first is a published value; rows come last first. */
 static void picture_hash_is_fnv_1a_from_the_bottom_up(void **state)
@@ -162,7 +163,7 @@ static void rotated_corners_span_one_and_seven_tenths(void **state)
     assert_true(fabs(atan2(dv, du) - pi / 6) < 1e-6);
 }
 
-/* --- pictures ------------------------------------------------------------------------------------ */
+/* --- pictures --------------------------------------------------------------------------------- */
 
 /* 255 (0.10, 0.12, 0.15), rounded; alpha says that nothing was drawn. */
 static void clear_is_the_background(void **state)

@@ -25,7 +25,8 @@ static void operations_are_those_of_the_definitions(void **state)
         { "fill_blend32f", 0, WEIGHTS + 4 * 4 + 4 + 4 * (1 + 1 + 1) },
         /* coordinates; a texel, compared, and the fragment killed or not; its two addresses */
         { "discard_tex", 0, WEIGHTS + 4 * 2 + 4 + 1 + 1 + 2 * 4 + DEPTH + STORE_8 },
-        /* 64 steps of eight chains of two: mad; halves and quarters, squares; sums and their quarter */
+        /* 64 steps of eight chains of two: mad; halves and quarters, squares; sums and their
+         * quarter */
         { "alu_mad", 0, WEIGHTS + 2 * 4 + 2 + 2 * (64 * 4 * 2 * 2 + 3 * 2 + 4 * 2) + STORE_8 },
     };
     for (size_t i = 0; i < GP_COUNT(rows); i++) {
@@ -42,8 +43,8 @@ static void operations_are_those_of_the_definitions(void **state)
     }
 }
 
-/* Where no colour is written, and nothing discards, fragments cost nothing; a position's three rows of four
- * and the fourth are products and sums. */
+/* Where no colour is written, and nothing discards, fragments cost nothing; a position's three rows
+ * of four and the fourth are products and sums. */
 static void depth_alone_shades_no_fragment(void **state)
 {
     (void)state;

@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-/* --- a technique: layers of light, of which white is the truth ---------------------------------- */
+/* --- a technique: layers of light, of which white is the truth -------------------------------- */
 
 typedef struct Light {
     int method;
@@ -132,7 +132,7 @@ static const Technique light = {
     .build = build_light,
 };
 
-/* --- running ------------------------------------------------------------------------------------ */
+/* --- running ---------------------------------------------------------------------------------- */
 
 static GpDevice *two_threads(void)
 {
@@ -305,7 +305,7 @@ static void frames_are_as_many_as_the_plan_wants(void **state)
     assert_true(timing_median((double[]){ 4, 1, 9, 2 }, 4) == 3);
 }
 
-/* --- the front ---------------------------------------------------------------------------------- */
+/* --- the front -------------------------------------------------------------------------------- */
 
 enum { MOST_POINTS = 40 };
 
@@ -385,7 +385,7 @@ static void the_chosen_point_is_the_fastest_that_is_near_enough(void **state)
     }
 }
 
-/* --- names -------------------------------------------------------------------------------------- */
+/* --- names ------------------------------------------------------------------------------------ */
 
 static void files_are_called_after_technique_and_scene(void **state)
 {

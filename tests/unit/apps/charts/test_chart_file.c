@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* --- writing ------------------------------------------------------------------------------------ */
+/* --- writing ---------------------------------------------------------------------------------- */
 
 static double random_double(Random *random)
 {
@@ -129,7 +129,7 @@ static void a_chart_that_cannot_be_written_is_an_error(void **state)
     assert_non_null(strstr(error.text, "no/where.csv"));
 }
 
-/* --- reading ------------------------------------------------------------------------------------ */
+/* --- reading ---------------------------------------------------------------------------------- */
 
 /* The good text with one part replaced is refused with this message behind "FILE:"; NULL: it is
  * read. */

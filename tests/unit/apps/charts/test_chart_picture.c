@@ -12,7 +12,7 @@ static const Technique *const no_techniques[] = { NULL };
 
 static char page[1 << 20];
 
-/* --- a chart ------------------------------------------------------------------------------------ */
+/* --- a chart ---------------------------------------------------------------------------------- */
 
 static const char nasty[] = "<b> & \"c\" 'd' </title> \x01";
 
@@ -59,7 +59,7 @@ static Text draw(const Chart *chart)
 
 static const PlotBox box = { 100, 50, 900, 650 };
 
-/* --- pictures ----------------------------------------------------------------------------------- */
+/* --- pictures --------------------------------------------------------------------------------- */
 
 static void pictures_are_well_formed_for_any_names_and_metrics(void **state)
 {
@@ -154,7 +154,7 @@ static void a_page_of_equal_points_has_its_axes(void **state)
     chart_free(&chart);
 }
 
-/* --- geometry ----------------------------------------------------------------------------------- */
+/* --- geometry --------------------------------------------------------------------------------- */
 
 static void scales_are_logarithmic_and_hold_every_point(void **state)
 {
@@ -273,7 +273,7 @@ static void bars_are_the_middle_half_of_the_times(void **state)
     chart_free(&chart);
 }
 
-/* --- the page ----------------------------------------------------------------------------------- */
+/* --- the page --------------------------------------------------------------------------------- */
 
 static void write_chart(const char *name, const char *title, const char *picture)
 {

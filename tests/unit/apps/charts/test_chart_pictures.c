@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-/* --- a difference ------------------------------------------------------------------------------- */
+/* --- a difference ----------------------------------------------------------------------------- */
 
 enum { WIDTH = 64, HEIGHT = 32 };
 
@@ -41,8 +41,8 @@ static bool is_orange(const float *pixel)
     return pixel[0] > pixel[1] && pixel[1] > pixel[2];
 }
 
-/* One pixel is off, above or below: one in the left half, sixteen in the right one, and these are the
- * same, however small the difference is. */
+/* One pixel is off, above or below: one in the left half, sixteen in the right one, and these are
+ * the same, however small the difference is. */
 static void a_wrong_pixel_is_seen_and_four_times_as_large_beside(void **state)
 {
     (void)state;
@@ -108,7 +108,7 @@ static void pictures_of_every_format_are_seen_in_pale_grey(void **state)
     }
 }
 
-/* --- what is beaten ------------------------------------------------------------------------------ */
+/* --- what is beaten --------------------------------------------------------------------------- */
 
 static const ChartPoint *find_point(const Chart *chart, const char *options)
 {
@@ -119,8 +119,8 @@ static const ChartPoint *find_point(const Chart *chart, const char *options)
     return NULL;
 }
 
-/* The k-buffer of 32 is exact, and takes longer than sorting; the worst of it has a picture, as the only
- * one of the average has. */
+/* The k-buffer of 32 is exact, and takes longer than sorting; the worst of it has a picture, as the
+ * only one of the average has. */
 static void methods_that_are_beaten_show_where_they_are_wrong(void **state)
 {
     (void)state;
@@ -159,7 +159,7 @@ static void methods_that_are_beaten_show_where_they_are_wrong(void **state)
     chart_free(&chart);
 }
 
-/* --- volumes ------------------------------------------------------------------------------------ */
+/* --- volumes ---------------------------------------------------------------------------------- */
 
 /* How many pixels have colour in the difference of a chart of one setting. */
 static int wrong_pixels(const char *options)

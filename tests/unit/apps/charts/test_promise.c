@@ -1,7 +1,8 @@
-/* --error: what is chosen keeps it, on scenes made at random, whatever the chart says. The judge opens
- * the scene, finds the truth and draws the setting afresh.
+/* --error: what is chosen keeps it, on scenes made at random, whatever the chart says. The judge
+ * opens the scene, finds the truth and draws the setting afresh.
  *
- * A few small ones; `make check` sets GP_TEST_PROMISES to a seed, and then there are forty, large. */
+ * A few small ones; `make check` sets GP_TEST_PROMISES to a seed, and then there are forty,
+ * large. */
 #include "apps/charts/promise.h"
 #include "apps/techniques/registry.h"
 #include "tests/support/folder.h"
@@ -39,7 +40,7 @@ static GpDevice *new_device(void)
     return device;
 }
 
-/* --- charts that are wrong ---------------------------------------------------------------------- */
+/* --- charts that are wrong -------------------------------------------------------------------- */
 
 /* All settings of a sweep with times and errors out of the air. */
 static Chart random_chart(Random *random, const Experiment *experiment)
@@ -63,7 +64,7 @@ static Chart random_chart(Random *random, const Experiment *experiment)
     return chart;
 }
 
-/* --- the judge ---------------------------------------------------------------------------------- */
+/* --- the judge -------------------------------------------------------------------------------- */
 
 /* A scene of its own, with its truth. */
 typedef struct Judge {
@@ -89,7 +90,8 @@ static void judge_close(Judge *judge)
     gp_device_destroy(&judge->device);
 }
 
-/* The error of a setting in its unit and in per cent; infinite where it does not go with the scene. */
+/* The error of a setting in its unit and in per cent; infinite where it does not go with the
+ * scene. */
 static void judge_error(const Judge *judge, const char *options, double errors[2])
 {
     TechniqueError measured;
@@ -127,7 +129,7 @@ static double least_of_sweep(Judge *judge, bool per_cent)
     return judge->least[per_cent];
 }
 
-/* --- promises ----------------------------------------------------------------------------------- */
+/* --- promises --------------------------------------------------------------------------------- */
 
 /* Asks for an error and judges what is chosen. */
 static void expect_promise(const PromiseJob *job, Judge *judge, Measured *measured,
@@ -155,7 +157,8 @@ static void expect_promise(const PromiseJob *job, Judge *judge, Measured *measur
                  least, job->most);
 }
 
-/* Five levels, in the experiment's unit and in per cent, from none at all to what anything holds. */
+/* Five levels, in the experiment's unit and in per cent, from none at all to what anything
+ * holds. */
 static void expect_promises(const Technique *technique, const Experiment *experiment,
                             const char *path, Random *random)
 {
@@ -322,7 +325,7 @@ static void the_truth_for_errors_alone_has_the_same_errors(void **state)
     assert_true(errors[0][0][0] > 5);
 }
 
-/* --- what is remembered ------------------------------------------------------------------------- */
+/* --- what is remembered ----------------------------------------------------------------------- */
 
 static const char cube[] =
     "{ \"size\": [24, 20], \"lights\": [ { \"direction\": [1, 2, 1] } ],\n"
@@ -442,7 +445,7 @@ static void a_broken_file_is_measured_again(void **state)
     }
 }
 
-/* --- what is proposed --------------------------------------------------------------------------- */
+/* --- what is proposed ------------------------------------------------------------------------- */
 
 static ChartPoint point(const char *options, double low, double ms, double high, double error)
 {
@@ -453,7 +456,8 @@ static ChartPoint point(const char *options, double low, double ms, double high,
     return made;
 }
 
-/* b is hardly slower than a, and so more exact for nothing; d is beaten by c, whose time it shares. */
+/* b is hardly slower than a, and so more exact for nothing; d is beaten by c, whose time it
+ * shares. */
 static void settings_whose_times_overlap_are_ordered_by_error(void **state)
 {
     (void)state;

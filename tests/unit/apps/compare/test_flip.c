@@ -1,7 +1,7 @@
 /* FLIP: differences worked out by hand, and those that the authors' own program finds.
  *
- * Uniform pictures stay what they are under every filter, so that their FLIP is the colour difference
- * alone, which the paper's formulas give. */
+ * Uniform pictures stay what they are under every filter, so that their FLIP is the colour
+ * difference alone, which the paper's formulas give. */
 #include "apps/compare/flip.h"
 #include "apps/compare/flip_color.h"
 #include "tests/support/groups/pool.h"
@@ -37,9 +37,10 @@ static FlipReport flip_uniform(const int a[3], const int b[3])
 static void uniform_pictures_have_the_differences_of_the_formulas(void **state)
 {
     (void)state;
-    /* Black, white and grey have no chroma: HyAB is the difference of L*, 100, and 53.585 of code 128;
-     * the largest distance is 41.2761; 0.95 + 0.05 (100^0.7 / 41.2761 - 0.4) / 0.6, and of grey
-     * 53.585^0.7 / 41.2761 / 0.4 * 0.95. The others by the authors' Python program, version 1.2. */
+    /* Black, white and grey have no chroma: HyAB is the difference of L*, 100, and 53.585 of code
+     * 128; the largest distance is 41.2761; 0.95 + 0.05 (100^0.7 / 41.2761 - 0.4) / 0.6, and of
+     * grey 53.585^0.7 / 41.2761 / 0.4 * 0.95. The others by the authors' Python program, version
+     * 1.2. */
     static const struct {
         int a[3], b[3];
         double flip;
@@ -149,8 +150,8 @@ static void threads_change_no_bit_and_order_of_pictures_none_of_the_map(void **s
     assert_memory_equal(first, map, sizeof map);
 }
 
-/* In rows of any width the last pixel is the first one of a mirror. Sums go the other way round: a last bit may
- * differ. */
+/* In rows of any width the last pixel is the first one of a mirror. Sums go the other way round: a
+ * last bit may differ. */
 static void mirrored_pictures_have_mirrored_maps(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 /* Captured layers against rays in double: coverage, depth, colour and normal, from cameras and from
- * planes that stand anywhere; models far from the origin; what is behind; the same bits everywhere. */
+ * planes that stand anywhere; models far from the origin; what is behind; the same bits
+ * everywhere. */
 #include "tests/support/depth/depth_case.h"
 #include "tests/support/devices.h"
 #include "tests/support/groups/device.h"
@@ -36,8 +37,8 @@ static CaptureShot shot_of(const Camera *camera)
 static const Camera over_there = { { 1.5, 2, 3 }, { 0.1, 0, 0 }, { 0, 1, 0 },
                                    .fovy = 40,    .near = 0.1,   .far = 20 };
 
-/* How the pixels of a front layer are off from rays: those covered wrongly, and the largest error of
- * depth, in parts of what 1/256 of a pixel and the surface's slope allow. */
+/* How the pixels of a front layer are off from rays: those covered wrongly, and the largest error
+ * of depth, in parts of what 1/256 of a pixel and the surface's slope allow. */
 typedef struct Off {
     uint32_t covered, wrong;
     double depth, color, normal;

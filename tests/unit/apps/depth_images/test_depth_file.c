@@ -1,5 +1,5 @@
-/* Files of depth images: what was written is read, bit for bit, and written again as it was; what is
- * broken is refused by a line that says where, and never by a crash. */
+/* Files of depth images: what was written is read, bit for bit, and written again as it was; what
+ * is broken is refused by a line that says where, and never by a crash. */
 #include "apps/depth_images/depth_file.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/image/image_file.h"
@@ -10,7 +10,7 @@
 
 #include <stdlib.h>
 
-/* --- models ------------------------------------------------------------------------------------- */
+/* --- models ----------------------------------------------------------------------------------- */
 
 static const DepthPlane plane = { .eye = { 0.1, -2, 1.0 / 3 },
                                   .right = { 0, 0, 1 },
@@ -113,7 +113,7 @@ static void what_is_read_is_what_was_written_bit_for_bit(void **state)
     }
 }
 
-/* --- what is broken ----------------------------------------------------------------------------- */
+/* --- what is broken --------------------------------------------------------------------------- */
 
 static void assert_refused(const char *path, const char *expected)
 {
@@ -127,8 +127,8 @@ static void assert_refused(const char *path, const char *expected)
 }
 
 /* Each prefix of a small file and each byte of it changed; of one with parts every seventh, unless
- * GP_TEST_EVERY_BYTE is set. Changes may go unseen (a sample is as good as another), but what is read then
- * keeps every promise. */
+ * GP_TEST_EVERY_BYTE is set. Changes may go unseen (a sample is as good as another), but what is
+ * read then keeps every promise. */
 static void broken_files_are_refused_or_read_as_models(void **state)
 {
     (void)state;

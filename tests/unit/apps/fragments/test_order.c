@@ -1,5 +1,6 @@
-/* The order of convex pieces: right at every pixel's centre, from any view. Each face is asked where rays
- * through the centres meet its plane, in double, and times must rise with those distances.
+/* The order of convex pieces: right at every pixel's centre, from any view. Each face is asked
+ * where rays through the centres meet its plane, in double, and times must rise with those
+ * distances.
  *
  * $GP_TEST_FRAGMENT_VIEWS asks for so many views of each mesh instead of a few. */
 #include "apps/fragments/order/order.h"
@@ -89,8 +90,8 @@ static void meet_all(const OrderMesh *mesh, const Camera *camera, const Screen *
     qsort(met, met_count, sizeof *met, compare_met);
 }
 
-/* Whether what is met second comes too early, or at the time of what is before it; but where both are within
- * snapping of an edge, or one distance. */
+/* Whether what is met second comes too early, or at the time of what is before it; but where both
+ * are within snapping of an edge, or one distance. */
 static bool is_wrong(const Met *first, const Met *second, double size)
 {
     if (first->pixel != second->pixel ||

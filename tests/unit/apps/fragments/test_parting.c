@@ -50,8 +50,8 @@ static void ends_of(const Made *made, uint32_t face, const double plane[4], doub
     }
 }
 
-/* Those that are left of two pieces are on their sides of the plane; of those that have left for the slab of two, each
- * is of one of them. */
+/* Those that are left of two pieces are on their sides of the plane; of those that have left for
+ * the slab of two, each is of one of them. */
 static void planes_have_what_is_left_of_pieces_on_their_sides(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Convex pieces: every face in one, none in front of another's plane, exactly; what meshes keep them from. */
+/* Convex pieces: every face in one, none in front of another's plane, exactly; what meshes keep
+ * them from. */
 #include "apps/fragments/pieces/pieces.h"
 #include "apps/fragments/pieces/side.h"
 
@@ -129,8 +130,8 @@ static void dents_are_pieces_that_are_turned_over(void **state)
     fragment_case_free(&made);
 }
 
-/* What a tolerance is for, and what it costs: the piece that it lets through is crossed four times by a line
- * along it, so that two of its layers are lost. */
+/* What a tolerance is for, and what it costs: the piece that it lets through is crossed four times
+ * by a line along it, so that two of its layers are lost. */
 static void tolerance_lets_concave_pieces_through(void **state)
 {
     (void)state;

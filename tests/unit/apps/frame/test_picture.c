@@ -1,4 +1,5 @@
-/* Surfaces as picture files: which channels and values a file has of every format, and what comes back. */
+/* Surfaces as picture files: which channels and values a file has of every format, and what comes
+ * back. */
 #include "apps/frame/picture.h"
 #include "tests/support/folder.h"
 #include "tests/support/surfaces/texels.h"
@@ -40,8 +41,8 @@ static GpSurface *make_surface(GpFormat format)
     return surface;
 }
 
-/* A file's channels; its values are those of the surface from channel `first` on, within `off`; one more than the
- * surface has is 0. */
+/* A file's channels; its values are those of the surface from channel `first` on, within `off`; one
+ * more than the surface has is 0. */
 static void check_file(const char *path, const GpSurface *surface, int channels, int first,
                        double off)
 {

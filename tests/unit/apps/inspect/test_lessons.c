@@ -1,5 +1,5 @@
-/* Lessons: what the recorder says is what pencil and paper say, the page knows it by its hash alone, and
- * lessons that ask for nothing are refused. */
+/* Lessons: what the recorder says is what pencil and paper say, the page knows it by its hash
+ * alone, and lessons that ask for nothing are refused. */
 #include "apps/inspect/inspect.h"
 #include "apps/inspect/lesson_answer.h"
 #include "apps/inspect/lesson_course.h"

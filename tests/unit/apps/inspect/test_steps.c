@@ -1,5 +1,6 @@
-/* Shaders run step by step give the bits of the code that draws: every program of shaders_c, found by its
- * declaration in a header, on inputs about several values, with textures that answer by coordinate. */
+/* Shaders run step by step give the bits of the code that draws: every program of shaders_c, found
+ * by its declaration in a header, on inputs about several values, with textures that answer by
+ * coordinate. */
 #include "apps/inspect/page_files.h"
 #include "apps/inspect/uniforms.h"
 #include "pipeline/shader/steps.h"

@@ -1,4 +1,5 @@
-/* Where a walk through a list stops: every draw once, in order, in as many stops as there may be. */
+/* Where a walk through a list stops: every draw once, in order, in as many stops as there may
+ * be. */
 #include "apps/inspect/walk.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"

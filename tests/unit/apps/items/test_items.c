@@ -1,4 +1,5 @@
-/* Items: all are drawn and taken once, in whatever order; what goes wrong ends the run and says what. */
+/* Items: all are drawn and taken once, in whatever order; what goes wrong ends the run and says
+ * what. */
 #include "apps/items/items.h"
 #include "apps/items/ledger.h"
 #include "tests/support/unit.h"

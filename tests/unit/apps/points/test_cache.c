@@ -133,7 +133,8 @@ static void every_changed_byte_is_seen(void **state)
     gp_free(copy);
 }
 
-/* Put into a copy of the file, whose hash is made right again; the head has 120 bytes, its hash at 32. */
+/* Put into a copy of the file, whose hash is made right again; the head has 120 bytes, its hash at
+ * 32. */
 static void forge(size_t at, const void *value, size_t size)
 {
     enum { HEAD = 120, HASH = 32 };

@@ -32,7 +32,8 @@ static int count_faces(const float place[3])
     return faces;
 }
 
-/* Two ways in at a corner, one along an edge, none inside: all square to lines that end the face. */
+/* Two ways in at a corner, one along an edge, none inside: all square to lines that end the
+ * face. */
 static void a_cube_is_clipped_where_its_faces_end(void **state)
 {
     (void)state;

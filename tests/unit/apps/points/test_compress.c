@@ -30,7 +30,8 @@ static double angle_between(const double a[3], const double b[3])
 
 /* --- normals ---------------------------------------------------------------------------------- */
 
-/* The bounds that compress.h states, which are attained: many vectors, and those in between of codes. */
+/* The bounds that compress.h states, which are attained: many vectors, and those in between of
+ * codes. */
 static void normals_are_off_by_the_stated_angles(void **state)
 {
     (void)state;

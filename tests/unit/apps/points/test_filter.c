@@ -44,8 +44,8 @@ static void project(const double o[3], const double n[3], double deviation, doub
 
 /* --- the bounds ------------------------------------------------------------------------------- */
 
-/* Integral of |G - G'|, both Gaussians about 0 with these variances along the same axes: a quadrant,
- * by the midpoint rule in u = x / (x + scale). */
+/* Integral of |G - G'|, both Gaussians about 0 with these variances along the same axes: a
+ * quadrant, by the midpoint rule in u = x / (x + scale). */
 static double distance(const double v[2], const double w[2])
 {
     enum { STEPS = 160 };

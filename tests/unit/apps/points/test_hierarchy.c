@@ -50,8 +50,8 @@ static double pixels_of(const Surfel *surfel)
     return 2 * (double)surfel->radius * view.pixels / depth_of(surfel);
 }
 
-/* All is in view, and what faces away too: areas add up to the ball's whatever the detail, since each
- * leaf is in one node, and nodes keep the areas of their leaves up to a share's rounding. */
+/* All is in view, and what faces away too: areas add up to the ball's whatever the detail, since
+ * each leaf is in one node, and nodes keep the areas of their leaves up to a share's rounding. */
 static void a_walk_shows_every_leaf_once(void **state)
 {
     (void)state;
@@ -82,8 +82,8 @@ static bool is_drawn(const SequenceNode *node, double per_radius)
            depth < (double)node->size[1] * (per_radius + 1);
 }
 
-/* The other way to the same nodes: every one that a walk finds is in the prefix and is drawn, few others
- * are, and none behind the prefix. */
+/* The other way to the same nodes: every one that a walk finds is in the prefix and is drawn, few
+ * others are, and none behind the prefix. */
 static void a_sequence_draws_what_a_walk_finds(void **state)
 {
     (void)state;

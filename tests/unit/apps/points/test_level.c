@@ -51,8 +51,8 @@ static Camera random_camera(Random *random)
 
 /* --- culling ---------------------------------------------------------------------------------- */
 
-/* By another way than planes: a point of the disc whose picture lies in the picture, and which faces the
- * eye. */
+/* By another way than planes: a point of the disc whose picture lies in the picture, and which
+ * faces the eye. */
 static bool is_seen(const Camera *camera, double aspect, const Surfel *surfel, double reach,
                     Random *random)
 {

@@ -1,5 +1,5 @@
-/* Surfels of meshes: vertices that triangles use, midpoints once, and discs without holes that are no
- * larger than they must be. */
+/* Surfels of meshes: vertices that triangles use, midpoints once, and discs without holes that are
+ * no larger than they must be. */
 #include "apps/points/edges.h"
 #include "apps/points/subdivide.h"
 #include "apps/points/triangle.h"

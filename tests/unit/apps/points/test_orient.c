@@ -1,4 +1,5 @@
-/* Meshes show their outside, however their triangles turn in the file; open ones stay as they are. */
+/* Meshes show their outside, however their triangles turn in the file; open ones stay as they
+ * are. */
 #include "apps/points/orient.h"
 
 #include "apps/base/bounds.h"
@@ -168,8 +169,8 @@ static void cut_and_turn(GpMesh *mesh, float height)
     mesh->had_normals = false;
 }
 
-/* A ball that is wrung, so that some of it is inside out, the more the nearer its waist is to the middle; and has
- * a hole. Where that is small and cannot decide, outside is known. */
+/* A ball that is wrung, so that some of it is inside out, the more the nearer its waist is to the
+ * middle; and has a hole. Where that is small and cannot decide, outside is known. */
 static void nearly_closed_meshes_are_turned_where_their_volume_has_one_sign(void **state)
 {
     (void)state;

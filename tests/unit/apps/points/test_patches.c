@@ -147,9 +147,10 @@ static void leaves_below(const Patches *patches, const Patch *patch, uint32_t le
     }
 }
 
-/* in the plane of a parent's disc, the leaf's disc is inside of it; and in the ball of its radius. */
-/* A disc of more than the least share holds the discs of all its leaves; a wider one has the least: the
- * piece of surface is thin or uneven. */
+/* in the plane of a parent's disc, the leaf's disc is inside of it; and in the ball of its
+ *      radius. */
+/* A disc of more than the least share holds the discs of all its leaves; a wider one has the least:
+ * the piece of surface is thin or uneven. */
 static void assert_covers(const Surfel *parent, const Surfel *leaf)
 {
     if (parent->share <= 0.45 * 255 + 0.5)

@@ -32,7 +32,7 @@ static Surfels open_text(const char *name, const char *text, PointsFacts *facts)
     return open_source(&(PointsSource){ .path = put_text(name, text) }, facts);
 }
 
-/* --- small and odd ------------------------------------------------------------------------------ */
+/* --- small and odd ---------------------------------------------------------------------------- */
 
 #define PLY(count, properties)                                                                     \
     "ply\nformat ascii 1.0\nelement vertex " count "\nproperty float x\nproperty float y\n"        \
@@ -169,7 +169,7 @@ static void what_cannot_be_opened_says_why(void **state)
     }
 }
 
-/* --- meshes ------------------------------------------------------------------------------------- */
+/* --- meshes ----------------------------------------------------------------------------------- */
 
 static const char square_off[] = "OFF\n6 2 0\n9 9 9\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n8 8 8\n"
                                  "3 1 2 3\n3 1 3 4\n";
@@ -220,7 +220,7 @@ static void a_mesh_in_memory_is_as_good(void **state)
     gp_mesh_free(&mesh);
 }
 
-/* --- the report --------------------------------------------------------------------------------- */
+/* --- the report ------------------------------------------------------------------------------- */
 
 static void the_report_tells_what_was_read_and_made(void **state)
 {

@@ -1,6 +1,7 @@
-/* What is seen of a change of level: pictures by plain sums in double, of a ball with a chequered skin, as
- * the camera comes nearer. The camera stands still and `pixels` falls instead, by a hundredth a frame, which
- * chooses as coming nearer by as much does, and moves nothing else in the picture. */
+/* What is seen of a change of level: pictures by plain sums in double, of a ball with a chequered
+ * skin, as the camera comes nearer. The camera stands still and `pixels` falls instead, by a
+ * hundredth a frame, which chooses as coming nearer by as much does, and moves nothing else in the
+ * picture. */
 #include "apps/points/level.h"
 
 #include "tests/support/surfel_shapes.h"

@@ -19,8 +19,8 @@ static GpPoints sample(const GpMesh *mesh, uint32_t count)
     return points;
 }
 
-/* Of the distances from each point to its nearest: deviation / mean, and the mean as a part of that in
- * the densest lattice. White noise has 0.52 and 0.47, a square lattice 0 and 0.93. */
+/* Of the distances from each point to its nearest: deviation / mean, and the mean as a part of that
+ * in the densest lattice. White noise has 0.52 and 0.47, a square lattice 0 and 0.93. */
 static void measure_evenness(const GpPoints *points, double area, double *deviation, double *mean)
 {
     NeighbourTree tree;

@@ -34,7 +34,8 @@ static size_t add_object(char *text, size_t used, const char *mesh, const double
                                   at[2]);
 }
 
-/* A floor, a wall, a cube, a ball and a sheet over the floor, in that order, far from the origin. */
+/* A floor, a wall, a cube, a ball and a sheet over the floor, in that order, far from the
+ * origin. */
 enum { FLOOR, WALL, CUBE, BALL, SHEET };
 
 static const char wall[] =

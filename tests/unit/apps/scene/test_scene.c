@@ -35,7 +35,7 @@ static void refused(const char *text, const char *expected)
     assert_null(scene.frame.arena.chunks);
 }
 
-/* --- lines ------------------------------------------------------------------------------------- */
+/* --- lines ------------------------------------------------------------------------------------ */
 
 static void a_path_leads_to_the_line_of_its_value(void **state)
 {
@@ -71,7 +71,7 @@ static void broken_text_does_not_lead_the_search_outside(void **state)
     }
 }
 
-/* --- what scenes mean -------------------------------------------------------------------------- */
+/* --- what scenes mean ------------------------------------------------------------------------- */
 
 static void one_object_is_enough(void **state)
 {
@@ -287,7 +287,7 @@ static void the_size_can_be_overridden(void **state)
     scene_free(&scene);
 }
 
-/* --- what is refused --------------------------------------------------------------------------- */
+/* --- what is refused -------------------------------------------------------------------------- */
 
 static void mistakes_are_named_with_path_and_line(void **state)
 {
@@ -340,7 +340,8 @@ static void mistakes_are_named_with_path_and_line(void **state)
     refused("{ \"objects\": [ { \"mesh\": \"no/such/file.ply\" } ] }", "1: objects[0].mesh: ");
 }
 
-/* The light's members in "lights": [ { ... } ] must be refused with this message behind the line. */
+/* The light's members in "lights": [ { ... } ] must be refused with this message behind the
+ * line. */
 static void light_refused(const char *members, const char *expected)
 {
     char text[400];
@@ -485,7 +486,7 @@ static void damaged_scenes_do_no_harm(void **state)
         }
 }
 
-/* --- the scenes that come with the program ----------------------------------------------------- */
+/* --- the scenes that come with the program ---------------------------------------------------- */
 
 static bool misses_data(const GpError *error)
 {

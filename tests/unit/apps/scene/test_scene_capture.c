@@ -67,8 +67,8 @@ static void scenes_without_one_view_or_depth_are_refused(void **state)
     scene_free(&scene);
 }
 
-/* Of three squares behind each other, the middle one of which shows its back, and a ball on the right whose
- * own back is no second layer. */
+/* Of three squares behind each other, the middle one of which shows its back, and a ball on the
+ * right whose own back is no second layer. */
 static void a_second_layer_is_what_faces_the_eye_behind_the_first(void **state)
 {
     (void)state;

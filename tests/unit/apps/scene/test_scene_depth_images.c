@@ -1,5 +1,5 @@
-/* Depth images of scenes: in their place, like the meshes that they were captured of, hiding and hidden,
- * under shadows; and refused with a reason. */
+/* Depth images of scenes: in their place, like the meshes that they were captured of, hiding and
+ * hidden, under shadows; and refused with a reason. */
 #include "apps/depth_images/depth_file.h"
 #include "apps/techniques/shadow/technique.h"
 #include "tests/support/depth/depth_shapes.h"
@@ -25,7 +25,8 @@ static void draw(const char *text, float rgba[SIDE * SIDE][4])
     scene_free(&scene);
 }
 
-/* Root of the mean square difference of two pictures, of 255, and how many pixels the first covers. */
+/* Root of the mean square difference of two pictures, of 255, and how many pixels the first
+ * covers. */
 static double difference(const char *one, const char *other, uint32_t *covered)
 {
     static float a[SIDE * SIDE][4], b[SIDE * SIDE][4];

@@ -1,4 +1,5 @@
-/* Limits of scene files: what is at one is read, and what is one beyond is refused with the number. */
+/* Limits of scene files: what is at one is read, and what is one beyond is refused with the
+ * number. */
 #include "apps/base/text.h"
 #include "tests/support/scene_text.h"
 

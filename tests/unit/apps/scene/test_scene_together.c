@@ -1,5 +1,5 @@
-/* All that scenes can hold, in one depth buffer: what is before a thing hides it by its share, and what is
- * behind it changes nothing. */
+/* All that scenes can hold, in one depth buffer: what is before a thing hides it by its share, and
+ * what is behind it changes nothing. */
 #include "tests/support/devices.h"
 #include "tests/support/scene_text.h"
 
@@ -32,11 +32,11 @@ static void draw(const char *objects, int grey, Picture rgba)
     draw_scene(objects, "depth", grey, rgba);
 }
 
-/* Differences are of bytes: each picture is rounded once for each thing that is blended, and what is
- * foretold from three of them has as much again. */
+/* Differences are of bytes: each picture is rounded once for each thing that is blended, and what
+ * is foretold from three of them has as much again. */
 #define ROUNDED(blends) ((1.0 + 2.0 * (blends)) / 255)
 
-/* --- a board among five things ------------------------------------------------------------------ */
+/* --- a board among five things ---------------------------------------------------------------- */
 
 /* One of each kind, the nearest first, overlapping on the picture. */
 static const char *const things[] = {
@@ -112,7 +112,7 @@ static void a_board_hides_what_is_behind_it_and_is_hidden_by_what_is_before(void
         expect_board_at(place);
 }
 
-/* --- glass in a volume --------------------------------------------------------------------------- */
+/* --- glass in a volume ------------------------------------------------------------------------ */
 
 #define CLOUD "{ \"volume\": \"builtin:ball:24\", \"transfer\": \"fog\", \"fit\": [0, -1, 0, 2]"
 #define SHEET                                                                                      \
@@ -124,8 +124,8 @@ static void a_board_hides_what_is_behind_it_and_is_hidden_by_what_is_before(void
     "\"constant\", \"dst\": \"inv-constant\" }, \"blend_constant\": [0.25, 0.25, 0.25, 0.25] }"
 
 /* A sheet that lets through three quarters is a quarter of the picture that it makes where it lets
- * nothing through, and three quarters of the one without it, wherever it stands; colours stay below 1,
- * which opaque ones are cut to before a volume lies over them. in: z at x -1.4, 1.4 */
+ * nothing through, and three quarters of the one without it, wherever it stands; colours stay below
+ * 1, which opaque ones are cut to before a volume lies over them. in: z at x -1.4, 1.4 */
 static void expect_blended(double left, double right, const char *objects)
 {
     static Picture none, opaque, glass;
@@ -179,7 +179,8 @@ static void glass_in_a_volume_has_the_same_bits_everywhere(void **state)
     scene_free(&scene);
 }
 
-/* Where nothing comes between, opaque things first and the rest sorted is the same as all sorted. */
+/* Where nothing comes between, opaque things first and the rest sorted is the same as all
+ * sorted. */
 static void what_is_blended_is_the_same_in_a_pass_of_its_own(void **state)
 {
     (void)state;

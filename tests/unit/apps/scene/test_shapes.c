@@ -46,7 +46,7 @@ static double volume(const Shape *shape)
     return sum;
 }
 
-/* --- edges ------------------------------------------------------------------------------------- */
+/* --- edges ------------------------------------------------------------------------------------ */
 
 typedef struct Edge {
     float a[3], b[3]; /* the smaller end first */
@@ -68,7 +68,8 @@ static Edge edge_of(const float *from, const float *to)
     return edge;
 }
 
-/* Number of edges that no other triangle has in the opposite direction, by the bits of their ends. */
+/* Number of edges that no other triangle has in the opposite direction, by the bits of their
+ * ends. */
 static uint32_t boundary_edges(const Shape *shape)
 {
     Edge *edges = calloc(shape->index_count, sizeof *edges);
@@ -89,7 +90,7 @@ static uint32_t boundary_edges(const Shape *shape)
     return open;
 }
 
-/* --- tests ------------------------------------------------------------------------------------- */
+/* --- tests ------------------------------------------------------------------------------------ */
 
 static void every_shape_has_unit_normals_on_the_outside_of_its_triangles(void **state)
 {

@@ -1,4 +1,5 @@
-/* Splats in scenes: they, meshes and one another hide each other pixel by pixel, whatever the order. */
+/* Splats in scenes: they, meshes and one another hide each other pixel by pixel, whatever the
+ * order. */
 #include "tests/support/devices.h"
 #include "tests/support/scene_text.h"
 
@@ -33,8 +34,8 @@ enum { SIDE = 128 };
 
 #define NONE HUGE_VAL
 
-/* Distance forwards of the ball of radius 1, and of the sheet, at a pixel; how far from the ball's middle
- * its ray passes. */
+/* Distance forwards of the ball of radius 1, and of the sheet, at a pixel; how far from the ball's
+ * middle its ray passes. */
 typedef struct Truth {
     double ball, sheet, aside;
 } Truth;
@@ -68,9 +69,10 @@ static double depth_at(const GpSurface *depth, uint32_t i, uint32_t j)
 }
 
 /* Points are 0.05 apart and their Gaussians 0.03 wide: the mean over them is off by 0.03 along the
- * surface at most, which is so much along the view where that is 45 degrees steep, and twice at 63; but
- * never by all of it, since points lie on all sides. Sums of halves are good to one part in 2048. What is
- * steeper, and pixels that the rim covers in part, which are 0.023 wide, are left out. */
+ * surface at most, which is so much along the view where that is 45 degrees steep, and twice at 63;
+ * but never by all of it, since points lie on all sides. Sums of halves are good to one part in
+ * 2048. What is steeper, and pixels that the rim covers in part, which are 0.023 wide, are left
+ * out. */
 #define SURFACE_ERROR (0.03 + 4.0 / 2048)
 #define STEEP         0.89
 #define BESIDE        1.035

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-/* --- the technique: a scene, blurred along its rows by steps, of which MOST are the truth -------- */
+/* --- the technique: a scene, blurred along its rows by steps, of which MOST are the truth ---- */
 
 enum { MOST = 6 };
 
@@ -183,7 +183,7 @@ static const Technique blur = {
 
 static const Technique *const made_up[] = { &blur, NULL };
 
-/* --- what comes by itself ----------------------------------------------------------------------- */
+/* --- what comes by itself --------------------------------------------------------------------- */
 
 /* Runs a line as the program would that has this technique; fills out and err; the exit code. */
 static int glasspipe(const char *line)

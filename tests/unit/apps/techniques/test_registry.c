@@ -1,5 +1,5 @@
-/* What every technique's data promise: names that are found, settings that can be read, tables that are
- * whole. */
+/* What every technique's data promise: names that are found, settings that can be read, tables that
+ * are whole. */
 #include "apps/techniques/registry.h"
 #include "tests/support/unit.h"
 

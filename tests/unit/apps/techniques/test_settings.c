@@ -43,7 +43,7 @@ static void refused(const char *text, const char *message)
     expect_same(&setting, 2, 77, 0.5);
 }
 
-/* --- reading ----------------------------------------------------------------------------------- */
+/* --- reading ---------------------------------------------------------------------------------- */
 
 static void a_text_sets_the_members_that_it_names(void **state)
 {
@@ -97,7 +97,7 @@ static void mistakes_are_told_with_what_was_expected_and_change_nothing(void **s
     assert_string_equal(error.text, "no option '--size'");
 }
 
-/* --- other types -------------------------------------------------------------------------------- */
+/* --- other types ------------------------------------------------------------------------------ */
 
 typedef struct Whole {
     uint32_t size[2];
@@ -176,7 +176,7 @@ static void other_types_tell_what_was_expected(void **state)
     assert_false(whole.fine);
 }
 
-/* --- printing ---------------------------------------------------------------------------------- */
+/* --- printing --------------------------------------------------------------------------------- */
 
 static void only_members_that_differ_are_printed_in_the_tables_order(void **state)
 {
@@ -235,7 +235,7 @@ static void numbers_are_as_short_as_they_can_be(void **state)
     }
 }
 
-/* --- sweeps ------------------------------------------------------------------------------------ */
+/* --- sweeps ----------------------------------------------------------------------------------- */
 
 static void a_sweep_expands_to_all_combinations_the_last_list_fastest(void **state)
 {

@@ -135,8 +135,8 @@ static void threads_change_no_bit(void **state)
 
 /* --- against mathematics ---------------------------------------------------------------------- */
 
-/* At distance 8 a unit is a pixel: a rectangle from 3 1/4 left of the middle to 5 right of it, 2 1/2
- * below and 4 above. */
+/* At distance 8 a unit is a pixel: a rectangle from 3 1/4 left of the middle to 5 right of it, 2
+ * 1/2 below and 4 above. */
 static void a_rectangle_covers_its_area(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Pictures by rays, against those by samples of projected triangles, which share no arithmetic with them,
- * and against what planes are by hand. */
+/* Pictures by rays, against those by samples of projected triangles, which share no arithmetic with
+ * them, and against what planes are by hand. */
 #include "apps/truth/mesh_picture.h"
 #include "apps/truth/ray_picture.h"
 #include "tests/support/meshes/named_mesh.h"

@@ -64,8 +64,8 @@ static void weights_on_a_plane_add_up_to_one_and_keep_slopes(void **state)
     free(splats);
 }
 
-/* A tilted plane in a wide view is still weighed as 1 by rays; by affine Gaussians, which do not fit
- * together any more, it is not. */
+/* A tilted plane in a wide view is still weighed as 1 by rays; by affine Gaussians, which do not
+ * fit together any more, it is not. */
 static void only_the_exact_sum_holds_in_a_wide_view(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* The truth of fragments against something plainer: each pixel's ray at each triangle, one by one. */
+/* The truth of fragments against something plainer: each pixel's ray at each triangle, one by
+ * one. */
 #include "apps/truth/fragments.h"
 #include "tests/support/groups/pool.h"
 #include "tests/support/random.h"
@@ -27,7 +28,8 @@ static void make_soup(uint64_t seed, Soup *soup)
             soup->colors[i][k] = random_float(&random, 0, 0.9f);
 }
 
-/* Tetrahedra in cells of their own, closed, with their corners counter-clockwise seen from outside. */
+/* Tetrahedra in cells of their own, closed, with their corners counter-clockwise seen from
+ * outside. */
 static void make_bodies(Soup *soup)
 {
     static const int faces[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
@@ -55,7 +57,7 @@ static FragmentTruthScene scene_of(const Soup *soup, const Camera *camera)
                                  .height = HEIGHT };
 }
 
-/* --- plainly ------------------------------------------------------------------------------------ */
+/* --- plainly ---------------------------------------------------------------------------------- */
 
 typedef struct Hit {
     double along, length; /* along the view; along the ray */
@@ -95,7 +97,8 @@ static void sort(Hit *hits, int count)
         }
 }
 
-/* Light is taken step by step between the surfaces, inside by so many as have been entered and not left. */
+/* Light is taken step by step between the surfaces, inside by so many as have been entered and not
+ * left. */
 static void put_together(const FragmentTruthScene *scene, const Hit *hits, int count, double slant,
                          double rgba[4])
 {
@@ -206,7 +209,7 @@ static void glass_takes_light_between_its_surfaces(void **state)
     }
 }
 
-/* --- edges and ties ------------------------------------------------------------------------------ */
+/* --- edges and ties --------------------------------------------------------------------------- */
 
 static FragmentTruth truth_of(const FragmentTruthScene *scene)
 {
@@ -215,7 +218,8 @@ static FragmentTruth truth_of(const FragmentTruthScene *scene)
     return truth;
 }
 
-/* A square of two triangles over the whole picture of 8 x 8, whose diagonal goes through centres. */
+/* A square of two triangles over the whole picture of 8 x 8, whose diagonal goes through
+ * centres. */
 static void a_centre_on_a_shared_edge_has_one_fragment_and_is_told(void **state)
 {
     (void)state;
@@ -239,8 +243,8 @@ static void a_centre_on_a_shared_edge_has_one_fragment_and_is_told(void **state)
     fragment_truth_free(&truth);
 }
 
-/* Triangles over a picture of 8 x 8 that is seen from along z; their planes rise to the right by `slopes`, and are at
- * `height` so many pixels right of the centres of the fourth column. */
+/* Triangles over a picture of 8 x 8 that is seen from along z; their planes rise to the right by
+ * `slopes`, and are at `height` so many pixels right of the centres of the fourth column. */
 static FragmentTruth truth_of_slopes(const double slopes[2], uint32_t triangles, double height,
                                      double aside)
 {

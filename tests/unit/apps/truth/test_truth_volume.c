@@ -95,7 +95,7 @@ static double largest_difference(const VolumePicture *a, const VolumePicture *b)
     return largest;
 }
 
-/* --- of the data -------------------------------------------------------------------------------- */
+/* --- of the data ------------------------------------------------------------------------------ */
 
 static void a_slab_takes_what_its_opacity_says(void **state)
 {
@@ -166,7 +166,7 @@ static void opaque_things_and_the_near_plane_cut_it(void **state)
     volume_picture_free(&picture);
 }
 
-/* --- against a plain walk ----------------------------------------------------------------------- */
+/* --- against a plain walk --------------------------------------------------------------------- */
 
 static double interpolate(const VolumeScene *field, const double at[3])
 {
@@ -275,7 +275,7 @@ static void finer_steps_change_next_to_nothing(void **state)
     field_free(&field);
 }
 
-/* --- of the kernels ----------------------------------------------------------------------------- */
+/* --- of the kernels --------------------------------------------------------------------------- */
 
 static void a_kernels_integral_is_one(void **state)
 {

@@ -1,4 +1,5 @@
-/* Distances between volumes and models against what can be counted by hand, or looked for everywhere. */
+/* Distances between volumes and models against what can be counted by hand, or looked for
+ * everywhere. */
 #include "apps/scene/shapes.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
@@ -40,7 +41,7 @@ static void expect_near(double value, double expected, double share)
         fail_msg("%g is not %g", value, expected);
 }
 
-/* --- a square ---------------------------------------------------------------------------------- */
+/* --- a square --------------------------------------------------------------------------------- */
 
 /* From 2 to 14 along x and y, at z = 5.25, and the 144 voxels that it is in. */
 enum { SIDE = 12, VOXELS = SIDE * SIDE };
@@ -71,7 +72,8 @@ static void a_square_is_a_quarter_below_its_voxels(void **state)
     voxel_distance_free(&distance);
 }
 
-/* Its points go to one of four neighbours: squares of 1/2 in the mean in the plane instead of 1/6. */
+/* Its points go to one of four neighbours: squares of 1/2 in the mean in the plane instead of
+ * 1/6. */
 static void a_lost_voxel_is_a_hole_in_the_square(void **state)
 {
     (void)state;
@@ -133,7 +135,7 @@ static void what_is_cut_off_is_not_lost(void **state)
     voxel_distance_free(&distance);
 }
 
-/* --- shapes ------------------------------------------------------------------------------------ */
+/* --- shapes ----------------------------------------------------------------------------------- */
 
 static TruthTriangle *make_shape(const char *name, VoxelBox *space, uint32_t *count)
 {
@@ -236,7 +238,7 @@ static void centres_are_as_far_from_a_sphere_as_their_radius_says(void **state)
     gp_free(triangles);
 }
 
-/* --- the nearest voxel ------------------------------------------------------------------------- */
+/* --- the nearest voxel ------------------------------------------------------------------------ */
 
 static double plain_nearest(const uint8_t *volume, uint32_t size, const double point[3],
                             double most)

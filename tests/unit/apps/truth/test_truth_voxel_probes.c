@@ -51,11 +51,12 @@ static TruthTriangle *make_shape(const char *name, const double scale[3], double
     return triangles;
 }
 
-/* --- a box ------------------------------------------------------------------------------------- */
+/* --- a box ------------------------------------------------------------------------------------ */
 
 enum { VOXELS = 8 * 4 * 4 };
 
-/* From (4, 6, 6) to (12, 10, 10), which is as many voxels, all set. builtin:cube is from -1 to 1. */
+/* From (4, 6, 6) to (12, 10, 10), which is as many voxels, all set. builtin:cube is from -1 to
+ * 1. */
 static void make_box(VoxelProbes *probes)
 {
     uint32_t count;
@@ -118,7 +119,7 @@ static void what_is_cut_off_is_not_wrong(void **state)
     voxel_probes_free(&probes);
 }
 
-/* --- curved ------------------------------------------------------------------------------------ */
+/* --- curved ----------------------------------------------------------------------------------- */
 
 /* Share that is wrong of a shape whose voxels are those with their centres inside. */
 static double wrong_at(const char *name, uint32_t size, VoxelProbes *probes)
@@ -136,9 +137,9 @@ static double wrong_at(const char *name, uint32_t size, VoxelProbes *probes)
     return wrong;
 }
 
-/* Where the surface crosses a voxel, what lies between it and the centre is wrong: |n . p| in the mean
- * over points p of a cube around 0, which is 0.25 voxels for normals n along an axis, and 0.23 for
- * the most slanted. A ball has area times radius / 3 for its volume. */
+/* Where the surface crosses a voxel, what lies between it and the centre is wrong: |n . p| in the
+ * mean over points p of a cube around 0, which is 0.25 voxels for normals n along an axis, and 0.23
+ * for the most slanted. A ball has area times radius / 3 for its volume. */
 static void a_ball_has_a_quarter_of_a_voxel_wrong(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Winding numbers by crossings, held against the sum of the solid angles that triangles are seen at.
+/* Winding numbers by crossings, held against the sum of the solid angles that triangles are seen
+ * at.
  * source van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE Transactions on
  *        Biomedical Engineering 30(2), 1983 */
 #include "apps/scene/shapes.h"

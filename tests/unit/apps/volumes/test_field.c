@@ -16,7 +16,7 @@ static GpVolume volume_of(GpVolumeType type, const void *data)
     return volume;
 }
 
-/* --- samples ------------------------------------------------------------------------------------ */
+/* --- samples ---------------------------------------------------------------------------------- */
 
 static void bytes_stay_and_all_else_goes_from_the_least_to_the_greatest(void **state)
 {
@@ -83,7 +83,7 @@ static void what_is_too_large_or_too_uneven_is_refused(void **state)
     assert_true(field.least == 5);
 }
 
-/* --- by name ------------------------------------------------------------------------------------ */
+/* --- by name ---------------------------------------------------------------------------------- */
 
 static void files_are_opened_and_their_errors_name_them(void **state)
 {

@@ -1,4 +1,5 @@
-/* Voxels in 8 bytes: what they say, in which order they stand, and what a transfer function shows. */
+/* Voxels in 8 bytes: what they say, in which order they stand, and what a transfer function
+ * shows. */
 #include "apps/volumes/voxels.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"

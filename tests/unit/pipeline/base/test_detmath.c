@@ -57,7 +57,8 @@ static void assert_within_bounds(const char *const *names, size_t count)
     }
 }
 
-/* Processors' estimates miss the quotient for nearly every value in [1, 2), each maker's by other bits. */
+/* Processors' estimates miss the quotient for nearly every value in [1, 2), each maker's by other
+ * bits. */
 static void r51_rcp_and_rsq_are_divisions_not_estimates(void **state)
 {
     (void)state;
@@ -70,7 +71,7 @@ static void r51_rcp_and_rsq_are_divisions_not_estimates(void **state)
     }
 }
 
-/* --- accuracy ---------------------------------------------------------------------------- */
+/* --- accuracy --------------------------------------------------------------------------------- */
 
 static void r50_floor_frc_and_rcp_are_exact(void **state)
 {
@@ -136,7 +137,7 @@ static void r52_pow_of_structured_pairs_has_15_bits(void **state)
     assert_true(normal > 150000);
 }
 
-/* --- exact values and edges -------------------------------------------------------------- */
+/* --- exact values and edges ------------------------------------------------------------------- */
 
 static void r52_exp2_and_log2_are_exact_at_powers_of_two(void **state)
 {
@@ -303,7 +304,7 @@ static void scalar_entry_points_give_the_bits_of_a_lane(void **state)
     }
 }
 
-/* --- the same bits everywhere ------------------------------------------------------------ */
+/* --- the same bits everywhere ----------------------------------------------------------------- */
 
 enum { BATCH = 4096 }; /* a multiple of every lane count */
 

@@ -1,5 +1,5 @@
-/* Pools start the threads that a call has items for, each item runs once, and workers have numbers below
- * the count of items: what is kept for each of them need not be more. */
+/* Pools start the threads that a call has items for, each item runs once, and workers have numbers
+ * below the count of items: what is kept for each of them need not be more. */
 #include "pipeline/base/pool.h"
 
 #include "tests/support/unit.h"

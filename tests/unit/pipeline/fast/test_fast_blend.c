@@ -1,5 +1,6 @@
-/* Every operation with every pair of factors into every format of a target: cells of one picture, in which
- * large and tiny triangles are blended by one state each. On every device the bits are the reference's. */
+/* Every operation with every pair of factors into every format of a target: cells of one picture,
+ * in which large and tiny triangles are blended by one state each. On every device the bits are the
+ * reference's. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"
@@ -38,7 +39,8 @@ static void list_blends(void)
                                      .alpha_dst = dst });
 }
 
-/* States that have code of their own where they are exactly these, and each with one thing changed. */
+/* States that have code of their own where they are exactly these, and each with one thing
+ * changed. */
 static void list_neighbours(void)
 {
     static const GpBlend known[] = {

@@ -1,5 +1,5 @@
-/* Clipping on the fast executor: the reference's bits at user planes of any distance, nothing shaded of what
- * they cut away, and colours of corners that are nowhere. */
+/* Clipping on the fast executor: the reference's bits at user planes of any distance, nothing
+ * shaded of what they cut away, and colours of corners that are nowhere. */
 #include "shaders_c/materials/unlit.h"
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
@@ -107,8 +107,8 @@ static void what_planes_cut_away_is_not_shaded(void **state)
     gp_surface_destroy(&c.target);
 }
 
-/* One behind the near plane, one beyond the far one, one beyond the guard band: what is left between them has
- * their colours all the same. */
+/* One behind the near plane, one beyond the far one, one beyond the guard band: what is left
+ * between them has their colours all the same. */
 static void triangles_with_no_corner_inside_have_their_colours(void **state)
 {
     (void)state;
@@ -170,8 +170,9 @@ static void a_triangle_beyond_three_sides_covers_what_it_holds(void **state)
     }
 }
 
-/* One edge is as long as edges are, and runs by the target at some rows' distance: of two rows, or columns, at the
- * end of tiles it is far outside or inside, where its value hardly fits into 32 bits. */
+/* One edge is as long as edges are, and runs by the target at some rows' distance: of two rows, or
+ * columns, at the end of tiles it is far outside or inside, where its value hardly fits into 32
+ * bits. */
 static void long_edges_pass_by_as_they_do_in_the_reference(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
-/* What is drawn without depth hides all that came before it where it covers a tile: one triangle, or two halves of
- * a rectangle. Whether they do is told from their corners; where they leave a pixel, because halves stand a
- * sub-pixel apart, face two ways, or are not the last, the picture is right too: on every device the bits are the
- * reference's. */
+/* What is drawn without depth hides all that came before it where it covers a tile: one triangle,
+ * or two halves of a rectangle. Whether they do is told from their corners; where they leave a
+ * pixel, because halves stand a sub-pixel apart, face two ways, or are not the last, the picture is
+ * right too: on every device the bits are the reference's. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"
@@ -45,8 +45,8 @@ static Place random_place(Random *random)
     return (Place){ x, y };
 }
 
-/* A rectangle in two halves that mostly face one way, and are mostly side by side: over all the picture, or from a
- * pixel's centre on. */
+/* A rectangle in two halves that mostly face one way, and are mostly side by side: over all the
+ * picture, or from a pixel's centre on. */
 static void add_halves(Random *random)
 {
     const double step = 1.0 / 256, edge = random_choice(random, 2) ? 0 : 0.5;

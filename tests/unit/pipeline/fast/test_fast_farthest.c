@@ -1,13 +1,13 @@
-/* What a tile knows of its farthest depths, of which it takes note after so many small triangles: nothing is
- * hidden by them that shows. On every device the bits are the reference's. */
+/* What a tile knows of its farthest depths, of which it takes note after so many small triangles:
+ * nothing is hidden by them that shows. On every device the bits are the reference's. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"
 
 enum { SIDE = 64, SMALL = 40, CORNERS = 3 + 3 * SMALL, MANY = 320, CORNER_FLOATS = 10 };
 
-/* Three draws at depths of their own: of one large triangle and many small ones, of a large one, and of small
- * ones, which the first draw is in front of. */
+/* Three draws at depths of their own: of one large triangle and many small ones, of a large one,
+ * and of small ones, which the first draw is in front of. */
 typedef struct Scene {
     float corners[3][CORNERS][CORNER_FLOATS];
     uint32_t many[3 * MANY];

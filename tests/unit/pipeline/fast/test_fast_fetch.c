@@ -1,5 +1,5 @@
-/* Surfaces that earlier frames made, read in place: of every format, with any bits in them, and more of
- * them than tile memory has slots. As the reference executor reads them, texel by texel. */
+/* Surfaces that earlier frames made, read in place: of every format, with any bits in them, and
+ * more of them than tile memory has slots. As the reference executor reads them, texel by texel. */
 #include "shaders_c/common/texel_copy.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"

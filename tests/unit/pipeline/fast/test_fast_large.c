@@ -1,13 +1,13 @@
-/* Targets that no cache holds, which are stored around the caches where rows begin at whole vectors, and only
- * there: rows of any length, at any place in the caller's memory. */
+/* Targets that no cache holds, which are stored around the caches where rows begin at whole
+ * vectors, and only there: rows of any length, at any place in the caller's memory. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"
 
 enum { ROWS = 65, PITCH = 1 << 16, TEXEL = 4, CORNER_FLOATS = 10, GAP = 0xa5, LARGE = 4 << 20 };
 
-/* Clears and draws into memory whose texels begin `offset` bytes from a whole vector: small, it leaves tiles that are
- * only cleared. */
+/* Clears and draws into memory whose texels begin `offset` bytes from a whole vector: small, it
+ * leaves tiles that are only cleared. */
 static void draw_at(uint8_t *memory, size_t offset, uint32_t width, size_t pitch, bool is_small)
 {
     static const float corners[3][CORNER_FLOATS] = { { -1, 1, 0, 1, 1, 0.2f, 0.7f, 0.4f, 0, 0 },

@@ -1,7 +1,8 @@
-/* Layers that are blended into whole tiles, many at once, as if no colour needed a limit: one that does is limited
- * all the same, whichever it is. Of few varyings shaders interpolate by themselves, where layers have one shape
- * and varyings one kind: with others the pictures are right too. On every device the bits are the reference's. And
- * what covers tiles that the target ends in is shaded once a pixel, and nowhere else. */
+/* Layers that are blended into whole tiles, many at once, as if no colour needed a limit: one that
+ * does is limited all the same, whichever it is. Of few varyings shaders interpolate by themselves,
+ * where layers have one shape and varyings one kind: with others the pictures are right too. On
+ * every device the bits are the reference's. And what covers tiles that the target ends in is
+ * shaded once a pixel, and nowhere else. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"

@@ -1,6 +1,6 @@
-/* The fast executor with next to no memory for vertices and bins: what is there is drawn before more
- * is made, and the bits stay the same; so with next to none for fragments to be sorted, where tiles
- * come in slices, and in passes that repeat earlier ones. */
+/* The fast executor with next to no memory for vertices and bins: what is there is drawn before
+ * more is made, and the bits stay the same; so with next to none for fragments to be sorted, where
+ * tiles come in slices, and in passes that repeat earlier ones. */
 #include "pipeline/fast/draws/draw.h"
 #include "pipeline/fast/fast.h"
 #include "shaders_c/materials/unlit.h"
@@ -98,7 +98,8 @@ static void lists_take_no_more_than_is_predicted(void **state)
 
 enum { VERTICES = 3000000 };
 
-/* A draw that is larger than all else: known within a factor, and said where there is not so much. */
+/* A draw that is larger than all else: known within a factor, and said where there is not so
+ * much. */
 static void memory_of_a_large_draw_is_predicted_and_said(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
-/* Draws in which the fast executor changes the order of its work, where only an order that shows would
- * be wrong: cut-outs of equal depths filled front to back, and layers blended a few pixels at a time. */
+/* Draws in which the fast executor changes the order of its work, where only an order that shows
+ * would be wrong: cut-outs of equal depths filled front to back, and layers blended a few pixels at
+ * a time. */
 #include <glasspipe/glasspipe.h>
 #include "shaders_c/bench/lookup.h"
 #include "shaders_c/common/texel_copy.h"
@@ -60,7 +61,7 @@ static void assert_same(const GpPass *passes, uint32_t count, int seed)
         fail_msg("seed %d: the executors differ", seed);
 }
 
-/* --- equal depths ------------------------------------------------------------------------------ */
+/* --- equal depths ----------------------------------------------------------------------------- */
 
 static GpSurface *checker(Random *random)
 {
@@ -74,7 +75,8 @@ static GpSurface *checker(Random *random)
     return texture;
 }
 
-/* Small and large quads of five depths, level or slanted; in every third frame nearer and nearer. */
+/* Small and large quads of five depths, level or slanted; in every third frame nearer and
+ * nearer. */
 static void set_cut_outs(Random *random, int seed)
 {
     for (int i = 0; i < QUADS; i++) {
@@ -115,7 +117,7 @@ static void equal_depths_keep_their_order(void **state)
     }
 }
 
-/* --- layers of one place ----------------------------------------------------------------------- */
+/* --- layers of one place ---------------------------------------------------------------------- */
 
 /* Quads of one size blended over each other, each showing what another surface has in its place: in
  * odd frames a picture, in even ones the colour that it was cleared to, and nothing else. */

@@ -1,5 +1,6 @@
-/* Points whose values are flat, which the fast executor packs side by side where bits are combined: of
- * many sides, overlapping, across tiles, in draws of any length and state, at every width of lanes. */
+/* Points whose values are flat, which the fast executor packs side by side where bits are combined:
+ * of many sides, overlapping, across tiles, in draws of any length and state, at every width of
+ * lanes. */
 #include <glasspipe/glasspipe.h>
 #include "tests/shaders/flat_points.h"
 #include "tests/support/devices.h"
@@ -22,7 +23,7 @@ typedef struct Drawing {
     GpPass pass;
 } Drawing;
 
-/* --- frames --------------------------------------------------------------------------------------- */
+/* --- frames ----------------------------------------------------------------------------------- */
 
 /* Mostly a few pixels; some vanish, some are wider than lanes, some than tiles. */
 static float point_size(Random *r)
@@ -149,7 +150,7 @@ static void destroy_drawing(Drawing *drawing)
         gp_surface_destroy(&drawing->surfaces[i]);
 }
 
-/* --- runs ----------------------------------------------------------------------------------------- */
+/* --- runs ------------------------------------------------------------------------------------- */
 
 static void flat_points_are_the_references(void **state)
 {

@@ -1,5 +1,6 @@
-/* Passes that draw again what an earlier one drew, but for one thing: what is kept of the earlier serves them
- * only where that thing does not matter. On every device the bits are the reference's. */
+/* Passes that draw again what an earlier one drew, but for one thing: what is kept of the earlier
+ * serves them only where that thing does not matter. On every device the bits are the
+ * reference's. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"

@@ -1,6 +1,6 @@
-/* Draws for which there is a shorter way, and the same but for one thing, for which there is none: tiles of one
- * colour that are covered whole, words that are brought over, triangles of one colour. On every device the
- * bits are the reference's. */
+/* Draws for which there is a shorter way, and the same but for one thing, for which there is none:
+ * tiles of one colour that are covered whole, words that are brought over, triangles of one colour.
+ * On every device the bits are the reference's. */
 #include "shaders_c/common/texel_copy.h"
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"

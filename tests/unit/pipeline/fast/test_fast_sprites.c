@@ -1,7 +1,7 @@
-/* Sprites that add to targets of floats, that only leave their depth, or that are one pixel each, which
- * the fast executor draws by ways of their own: overlapping, on the edges of pixels, tiles and
- * targets, behind the eye, behind others, under every test, in draws of any length, at every width
- * of lanes. */
+/* Sprites that add to targets of floats, that only leave their depth, or that are one pixel each,
+ * which the fast executor draws by ways of their own: overlapping, on the edges of pixels, tiles
+ * and targets, behind the eye, behind others, under every test, in draws of any length, at every
+ * width of lanes. */
 #include <glasspipe/glasspipe.h>
 #include "tests/shaders/splat_points.h"
 #include "tests/support/devices.h"
@@ -24,7 +24,7 @@ typedef struct Drawing {
     GpPass pass;
 } Drawing;
 
-/* --- frames --------------------------------------------------------------------------------------- */
+/* --- frames ----------------------------------------------------------------------------------- */
 
 /* Mostly as splats are; some vanish, some are wider than lanes, some than tiles. */
 static float point_size(Random *r)
@@ -43,8 +43,8 @@ static float point_size(Random *r)
     }
 }
 
-/* Neighbours lie on each other; many stand on edges and centres of pixels, some outside, in front of
- * the eye's plane or behind it, or past the far one. Few depths, so that some are equal. */
+/* Neighbours lie on each other; many stand on edges and centres of pixels, some outside, in front
+ * of the eye's plane or behind it, or past the far one. Few depths, so that some are equal. */
 static void set_points(Random *r, Point *points)
 {
     float middle[2] = { WIDTH / 2, HEIGHT / 2 };
@@ -81,7 +81,8 @@ static GpDepthState random_depth(Random *r)
                            .write = random_int(r, 0, 1) };
 }
 
-/* How a draw treats its targets: it adds to them, blends in some other way, replaces, or leaves them. */
+/* How a draw treats its targets: it adds to them, blends in some other way, replaces, or leaves
+ * them. */
 static GpBlend random_blend(Random *r)
 {
     switch (random_int(r, 0, 8)) {
@@ -171,7 +172,7 @@ static void destroy_drawing(Drawing *drawing)
         gp_surface_destroy(&drawing->surfaces[i]);
 }
 
-/* --- runs ----------------------------------------------------------------------------------------- */
+/* --- runs ------------------------------------------------------------------------------------- */
 
 static void sprites_are_the_references(void **state)
 {

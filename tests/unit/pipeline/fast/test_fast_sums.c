@@ -1,5 +1,6 @@
-/* Targets that sprites are added to stand as sums until planes are wanted: passes that add, blend, read in
- * place and clear, one after the other in one group, on every device and of every format of floats. */
+/* Targets that sprites are added to stand as sums until planes are wanted: passes that add, blend,
+ * read in place and clear, one after the other in one group, on every device and of every format of
+ * floats. */
 #include "shaders_c/common/texel_copy.h"
 #include "tests/shaders/flat_points.h"
 #include "tests/support/devices.h"
@@ -78,8 +79,8 @@ static void set_copy(const GpSurface *from, GpDraw *draw)
     draw->textures[0].surface = from;
 }
 
-/* Adds to one surface or brings another there, or both; beside it at times stands a target that nothing is
- * drawn to. */
+/* Adds to one surface or brings another there, or both; beside it at times stands a target that
+ * nothing is drawn to. */
 static void set_pass(Random *r, Drawing *drawing, int number)
 {
     GpPass *pass = &drawing->passes[number];

@@ -1,5 +1,6 @@
-/* Every format read by every filter with every address mode, compared too where it holds depths: cells of one
- * picture, each with samplers of its own. On every device the bits are the reference's. */
+/* Every format read by every filter with every address mode, compared too where it holds depths:
+ * cells of one picture, each with samplers of its own. On every device the bits are the
+ * reference's. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"

@@ -1,4 +1,5 @@
-/* Files that are read whole, or replaced: where links lead, and what is left when a writer is stopped. */
+/* Files that are read whole, or replaced: where links lead, and what is left when a writer is
+ * stopped. */
 #define _GNU_SOURCE /* O_TMPFILE */
 #include "pipeline/io/file.h"
 

@@ -10,7 +10,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
-/* --- bad files --------------------------------------------------------------------------------- */
+/* --- bad files -------------------------------------------------------------------------------- */
 
 static void assert_refused(const char *path, GpResult expected, const char *part)
 {
@@ -279,7 +279,7 @@ static void damaged_bytes_give_a_picture_or_an_error(void **state)
     assert_true(refused > 1000 && read > 1000);
 }
 
-/* --- writing where it fails --------------------------------------------------------------------- */
+/* --- writing where it fails ------------------------------------------------------------------- */
 
 static void what_a_format_cannot_hold_is_not_written(void **state)
 {

@@ -102,7 +102,7 @@ static void exr_holds_no_text(void **state)
     gp_image_free(&image);
 }
 
-/* --- files --------------------------------------------------------------------------------------- */
+/* --- files ------------------------------------------------------------------------------------ */
 
 static void a_file_is_replaced_at_once_and_links_are_followed(void **state)
 {
@@ -207,7 +207,7 @@ static void rounding_mode_survives_reading_and_writing(void **state)
     gp_image_free(&back);
 }
 
-/* --- the shared pictures ------------------------------------------------------------------------- */
+/* --- the shared pictures ---------------------------------------------------------------------- */
 
 /* Their bodies are plain enough to be read here in a few lines. */
 static void shared_pictures_hold_the_files_own_bytes(void **state)

@@ -1,4 +1,5 @@
-/* Numbers of text files: the floats that are nearest to them, and nothing else that looks like a number. */
+/* Numbers of text files: the floats that are nearest to them, and nothing else that looks like a
+ * number. */
 #include "pipeline/io/input.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"

@@ -17,7 +17,7 @@ static void assert_reads(const char *path, GpMesh *mesh)
         fail_msg("%s", error.text);
 }
 
-/* --- the pyramid ------------------------------------------------------------------------------- */
+/* --- the pyramid ------------------------------------------------------------------------------ */
 
 static void assert_pyramid(const char *path, GpMesh *mesh)
 {
@@ -230,7 +230,7 @@ static void om_of_both_generations_gives_the_pyramid(void **state)
     gp_mesh_free(&mesh);
 }
 
-/* --- what a reader could lose ------------------------------------------------------------------- */
+/* --- what a reader could lose ----------------------------------------------------------------- */
 
 static void non_manifold_duplicate_and_flat_faces_are_kept(void **state)
 {
@@ -325,7 +325,7 @@ static void obj_material_files_are_not_opened(void **state)
     alarm(0);
 }
 
-/* --- normals ------------------------------------------------------------------------------------- */
+/* --- normals ---------------------------------------------------------------------------------- */
 
 static void normals_are_the_area_weighted_sum(void **state)
 {
@@ -397,7 +397,7 @@ static void stored_normals_stay_and_zero_ones_are_computed(void **state)
     gp_mesh_free(&mesh);
 }
 
-/* --- the shared meshes ---------------------------------------------------------------------------- */
+/* --- the shared meshes ------------------------------------------------------------------------ */
 
 static void shared_meshes_keep_every_vertex_and_face(void **state)
 {

@@ -1,5 +1,5 @@
-/* Bad mesh files: no damaged file gets past the checks with anything but an error that says where, in
- * silence. */
+/* Bad mesh files: no damaged file gets past the checks with anything but an error that says where,
+ * in silence. */
 #include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/folder.h"
 #include "tests/support/meshes/mesh_files.h"
@@ -55,7 +55,7 @@ static void end_silence(void)
     assert_int_equal(info.st_size, 0);
 }
 
-/* --- errors -------------------------------------------------------------------------------------- */
+/* --- errors ----------------------------------------------------------------------------------- */
 
 static void assert_refused(const char *path, GpResult expected, const char *part)
 {
@@ -204,7 +204,8 @@ static void errors_name_the_place_and_what_was_expected(void **state)
                        error_cases[i].part);
 }
 
-/* As many elements, or properties, as a header has no room for: more than any file has that means a mesh. */
+/* As many elements, or properties, as a header has no room for: more than any file has that means a
+ * mesh. */
 static void headers_of_many_parts_are_refused(void **state)
 {
     (void)state;
@@ -313,7 +314,7 @@ static void points_are_read_only_where_asked_for(void **state)
     gp_mesh_free(&mesh);
 }
 
-/* --- damage --------------------------------------------------------------------------------------- */
+/* --- damage ----------------------------------------------------------------------------------- */
 
 typedef struct Sample {
     const char *name;

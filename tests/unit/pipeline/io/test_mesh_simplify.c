@@ -1,5 +1,5 @@
-/* Meshes with fewer triangles: those of a plane need hardly any, borders stay, and what the library cannot
- * have is left as it is. */
+/* Meshes with fewer triangles: those of a plane need hardly any, borders stay, and what the library
+ * cannot have is left as it is. */
 #include "pipeline/io/mesh/simplify.h"
 #include "tests/support/unit.h"
 

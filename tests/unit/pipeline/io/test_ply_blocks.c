@@ -1,5 +1,5 @@
-/* PLY files of more items than are read together: every encoding gives the same, wherever in the file the rows of
- * floats or the triangles end, and a fault is told of the item that has it. */
+/* PLY files of more items than are read together: every encoding gives the same, wherever in the
+ * file the rows of floats or the triangles end, and a fault is told of the item that has it. */
 #include "pipeline/io/mesh/mesh_file.h"
 #include "pipeline/io/ply/ply_items.h"
 #include "pipeline/io/points/points.h"
@@ -10,7 +10,7 @@
 
 enum { VERTICES = 2 * PLY_BLOCK + 100, FACES = 700, MOST_BYTES = 1 << 18 };
 
-/* --- a file, value by value ---------------------------------------------------------------------- */
+/* --- a file, value by value ------------------------------------------------------------------- */
 
 typedef struct Writer {
     PlyEncoding encoding;
@@ -57,7 +57,7 @@ static void put_float(float value, bool as_double)
         put_bits(as_double ? pun.bits : gp_float_bits(value), as_double ? 8 : 4);
 }
 
-/* --- what is in it ------------------------------------------------------------------------------- */
+/* --- what is in it ---------------------------------------------------------------------------- */
 
 /* How a file stores what all of them have. */
 typedef struct Storage {
@@ -136,7 +136,7 @@ static const char *put_ply(const Storage *storage, bool faces)
     return put_file("blocks.ply", writer.bytes, writer.size);
 }
 
-/* --- tests --------------------------------------------------------------------------------------- */
+/* --- tests ------------------------------------------------------------------------------------ */
 
 static const Storage plain = { PLY_LITTLE, .quad = 300, .bad = FAULTLESS, .beyond = FAULTLESS };
 

@@ -1,5 +1,5 @@
-/* PNG files are written in bands, by any number of threads or row by row: the same bytes, which libpng reads
- * as the picture that was written. */
+/* PNG files are written in bands, by any number of threads or row by row: the same bytes, which
+ * libpng reads as the picture that was written. */
 #include "pipeline/io/image/image_file.h"
 #include "pipeline/io/image/png_rows.h"
 #include "tests/support/folder.h"
@@ -98,7 +98,8 @@ static void every_kind_of_sample(void **state)
             check(301, 700, channels, type);
 }
 
-/* Bands of many rows, of one, and fewer rows than a band has; rows shorter than a step of the filter. */
+/* Bands of many rows, of one, and fewer rows than a band has; rows shorter than a step of the
+ * filter. */
 static void every_shape(void **state)
 {
     (void)state;

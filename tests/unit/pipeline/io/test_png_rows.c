@@ -1,4 +1,5 @@
-/* PNG files written row by row: the same picture as at once, and the old file where it is not whole. */
+/* PNG files written row by row: the same picture as at once, and the old file where it is not
+ * whole. */
 #include "pipeline/io/image/image_file.h"
 #include "pipeline/io/image/png_rows.h"
 #include "tests/support/folder.h"

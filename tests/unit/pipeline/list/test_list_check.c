@@ -377,7 +377,8 @@ static void what_asks_for_nothing_may_miss_what_it_would_need(void **state)
     tear_down(&w);
 }
 
-/* Draws that are as the one before them are right as that one is: what one has of its own is looked at. */
+/* Draws that are as the one before them are right as that one is: what one has of its own is looked
+ * at. */
 static void a_draw_is_refused_for_what_differs_from_the_one_before(void **state)
 {
     (void)state;

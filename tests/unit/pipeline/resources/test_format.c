@@ -1,4 +1,5 @@
-/* Texels of all formats, whole and by channels (R31, R37); what formats are called and told to be. */
+/* Texels of all formats, whole and by channels (R31, R37); what formats are called and told to
+ * be. */
 #include "pipeline/resources/format.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
@@ -200,8 +201,8 @@ static void unorm8_codes_are_the_bytes_by_channel(void **state)
     assert_memory_equal(code, "\x0d\x0c\x0b\xff", 4);
 }
 
-/* Direct3D 9's L8 and X8R8G8B8: grey for all colours, alpha of 1 whatever the unused byte holds, which
- * a store fills. */
+/* Direct3D 9's L8 and X8R8G8B8: grey for all colours, alpha of 1 whatever the unused byte holds,
+ * which a store fills. */
 static void l8_is_grey_and_x8r8g8b8_opaque(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Numbers of formats: every rounding between floats and stored bits (R19-R21, R23, R24, R26-R28). */
+/* Numbers of formats: every rounding between floats and stored bits (R19-R21, R23, R24,
+ * R26-R28). */
 #include <math.h>
 
 #include "pipeline/resources/format.h"

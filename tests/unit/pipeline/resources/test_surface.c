@@ -185,7 +185,8 @@ static void windows_become_whole_unless_that_is_too_large(void **state)
     gp_surface_destroy(&s);
 }
 
-/* One side of a rectangle is another: they differ; two that meet at one corner have nothing in common. */
+/* One side of a rectangle is another: they differ; two that meet at one corner have nothing in
+ * common. */
 static void rectangles_are_equal_side_by_side(void **state)
 {
     (void)state;

@@ -66,7 +66,7 @@ static void assert_refused(const GpProgram *program, const char *message)
     assert_string_equal(error.text, message);
 }
 
-/* --- counting -------------------------------------------------------------------------------------- */
+/* --- counting --------------------------------------------------------------------------------- */
 
 typedef struct Priced {
     const GpProgram *program;
@@ -112,8 +112,8 @@ static void loops_are_counted_once(void **state)
 }
 
 /* slots: phong_ps is nrm 3, sub 1, nrm 3, add 1, nrm 3, dp3 1, max 1, dp3 1, max 1, pow 3, mad 1,
- * mad 1, mov 1. Constants: eye, light, ambient, diffuse, specular and shininess are 14 floats, and 0
- * and 1. Temporaries: N beside H. */
+ * mad 1, mov 1. Constants: eye, light, ambient, diffuse, specular and shininess are 14 floats, and
+ * 0 and 1. Temporaries: N beside H. */
 static void phong_costs_what_it_does_by_hand(void **state)
 {
     (void)state;
@@ -212,7 +212,7 @@ static void counting_again_or_one_side_gives_the_same(void **state)
     assert_same_counts(&first, &pixel);
 }
 
-/* --- checking --------------------------------------------------------------------------------------- */
+/* --- checking --------------------------------------------------------------------------------- */
 
 static void programs_are_held_to_the_limits_of_their_profiles(void **state)
 {
@@ -427,7 +427,7 @@ static void profiles_have_direct3d_s_names(void **state)
     }
 }
 
-/* --- the shaders of shaders_c ------------------------------------------------------------------------ */
+/* --- the shaders of shaders_c ----------------------------------------------------------------- */
 
 static void every_program_fits_its_profile_at_a_known_cost(void **state)
 {

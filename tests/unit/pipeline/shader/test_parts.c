@@ -1,5 +1,6 @@
-/* A pixel shader in parts draws, on every device, what the same draws in one: whatever number of packets a
- * triangle has, whichever part discards a fragment, and whenever its lanes have turned enough. */
+/* A pixel shader in parts draws, on every device, what the same draws in one: whatever number of
+ * packets a triangle has, whichever part discards a fragment, and whenever its lanes have turned
+ * enough. */
 #include <glasspipe/glasspipe.h>
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"

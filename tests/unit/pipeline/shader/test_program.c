@@ -1,6 +1,6 @@
-/* Every mistake of a program is answered with one line that names the program and what is wrong, in both
- * executors, whether the program was counted or compiled once by a plain compiler. A trial, which finds some of
- * them, leaves the processor as it was. */
+/* Every mistake of a program is answered with one line that names the program and what is wrong, in
+ * both executors, whether the program was counted or compiled once by a plain compiler. A trial,
+ * which finds some of them, leaves the processor as it was. */
 #include <glasspipe/glasspipe.h>
 #include "pipeline/list/isa.h"
 #include "pipeline/shader/counts.h"
@@ -239,7 +239,8 @@ static void vertex_shaders_use_nothing_of_pixels(void **state)
     reported.no_memory = false;
 }
 
-/* By the names of the struct's members where they are counted, else by what the position follows. */
+/* By the names of the struct's members where they are counted, else by what the position
+ * follows. */
 static void inputs_in_another_order_are_refused(void **state)
 {
     (void)state;
@@ -281,7 +282,8 @@ static void a_program_without_mistakes_draws_the_same_however_it_was_built(void 
         assert_true(hash[i] == hash[0]);
 }
 
-/* Whether a bit above the lowest 16 bytes of one of AVX's registers is set. Plain code touches none of them. */
+/* Whether a bit above the lowest 16 bytes of one of AVX's registers is set. Plain code touches none
+ * of them. */
 static bool upper_halves_are_in_use(void)
 {
     uint32_t registers[16][8] = { { 0 } }, bits = 0;

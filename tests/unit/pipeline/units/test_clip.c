@@ -174,16 +174,16 @@ static void varyings_stay_affine_in_clip_space(void **state)
                              random_float(&random, -1, 2), random_float(&random, 0.5f, 2));
         GpClipPolygon polygon = clip(&band, v, 0);
         for (int k = 0; k < polygon.corners; k++)
-            /* the varyings were the position itself; the position is also settled onto the planes, by
-             * rounding errors */
+            /* the varyings were the position itself; the position is also settled onto the planes,
+             * by rounding errors */
             for (int c = 0; c < 4; c++)
                 assert_true(fabsf(polygon.corner[k].varying[c] - polygon.corner[k].clip[c]) <=
                             0x1p-20f);
     }
 }
 
-/* z/w is linear on the screen: a new corner has that of its own place, whatever the planes that cut,
- * and where the end outside is behind the eye too. */
+/* z/w is linear on the screen: a new corner has that of its own place, whatever the planes that
+ * cut, and where the end outside is behind the eye too. */
 static void what_is_linear_on_the_screen_stays_so_on_cut_edges(void **state)
 {
     (void)state;

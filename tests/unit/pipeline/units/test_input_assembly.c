@@ -1,4 +1,5 @@
-/* Input assembly: what streams hold, at any stride and alignment, and which vertices primitives have. */
+/* Input assembly: what streams hold, at any stride and alignment, and which vertices primitives
+ * have. */
 #include "pipeline/units/input_assembly.h"
 #include "tests/support/unit.h"
 

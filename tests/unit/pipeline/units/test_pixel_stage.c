@@ -4,7 +4,8 @@
 
 enum { VARYINGS = 2, TARGETS = 2, X = 6, Y = 10 };
 
-/* A shader by hand: colours tell the varyings, place and facing of each lane; two pixels are killed. */
+/* A shader by hand: colours tell the varyings, place and facing of each lane; two pixels are
+ * killed. */
 static void shade(const GpShaderCall *call)
 {
     const int lanes = *(const int *)call->uniforms;

@@ -14,8 +14,8 @@ static unsigned cut(int32_t x, int32_t y, unsigned mask, const int32_t rect[4])
     return quad.mask;
 }
 
-/* Every rectangle on a grid of 6 x 6 pixels, odd sides and empty ones among them: begins are inside,
- * ends are not. */
+/* Every rectangle on a grid of 6 x 6 pixels, odd sides and empty ones among them: begins are
+ * inside, ends are not. */
 static void a_pixel_stays_if_and_only_if_it_is_inside(void **state)
 {
     (void)state;

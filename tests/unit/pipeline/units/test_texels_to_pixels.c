@@ -18,8 +18,8 @@ static GpSurface *square(void)
     return surface;
 }
 
-/* Draws the texture on the quad from (low, low) to (high, high), in Direct3D 9's screen coordinates:
- * the centre of pixel (i, j) is (i, j). */
+/* Draws the texture on the quad from (low, low) to (high, high), in Direct3D 9's screen
+ * coordinates: the centre of pixel (i, j) is (i, j). */
 static void draw_quad(float low, float high, const GpSurface *texture, GpSurface *picture,
                       const GpDeviceDesc *desc)
 {

@@ -1,6 +1,6 @@
-/* What the shaders of points cost: within the profiles that they name, and beside paper 003's 49 slots of
- * EWA, 40 of reconstruction alone and 32 of the low-pass filter alone, vertex and pixel shader together: ours
- * project without tangents, but shade waves and edges as well. */
+/* What the shaders of points cost: within the profiles that they name, and beside paper 003's 49
+ * slots of EWA, 40 of reconstruction alone and 32 of the low-pass filter alone, vertex and pixel
+ * shader together: ours project without tangents, but shade waves and edges as well. */
 #include "shaders_c/points/compressed_splat.h"
 #include "shaders_c/points/disc.h"
 #include "shaders_c/points/normalize.h"

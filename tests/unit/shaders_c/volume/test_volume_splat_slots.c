@@ -1,6 +1,6 @@
-/* What the shaders of splatted volumes cost: within the profiles that they name, and beside paper 003's 42
- * slots of EWA, 32 of reconstruction alone and 28 of the low-pass filter alone, vertex and pixel shader
- * together. */
+/* What the shaders of splatted volumes cost: within the profiles that they name, and beside paper
+ * 003's 42 slots of EWA, 32 of reconstruction alone and 28 of the low-pass filter alone, vertex and
+ * pixel shader together. */
 #include "shaders_c/common/texel_copy.h"
 #include "shaders_c/volume/raycast.h"
 #include "shaders_c/volume/sheet.h"

@@ -1,5 +1,5 @@
-/* Cylindrical depth images warped as printed: near to the truth and to the same image drawn straight, in
- * an order that needs no depth test; what an eye inside and parallel rays get. */
+/* Cylindrical depth images warped as printed: near to the truth and to the same image drawn
+ * straight, in an order that needs no depth test; what an eye inside and parallel rays get. */
 #include "apps/depth_images/drawing/cylinder.h"
 #include "tests/support/depth/around.h"
 
@@ -72,7 +72,8 @@ static void every_side_is_near_the_truth(void **state)
     depth_shape_close(&shape);
 }
 
-/* Pixels of the first pass whose point is not the nearest of all that fall on them, among those covered.
+/* Pixels of the first pass whose point is not the nearest of all that fall on them, among those
+ * covered.
  * in   wrong: the order is that of an eye elsewhere */
 static uint32_t hidden_wrongly(const Warps *warps, const Camera *camera, bool wrong)
 {
@@ -177,7 +178,8 @@ static void what_has_no_plane_is_drawn_straight_and_said(void **state)
     depth_shape_close(&shape);
 }
 
-/* Relief of one height all over is the image with depths that are so much less; of waves, it is not. */
+/* Relief of one height all over is the image with depths that are so much less; of waves, it is
+ * not. */
 static void relief_moves_points_outwards(void **state)
 {
     (void)state;

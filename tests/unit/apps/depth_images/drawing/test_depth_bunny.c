@@ -1,4 +1,5 @@
-/* A scanned model, taken from in front and seen from 12 degrees aside, as peers were measured with it: the
+/* A scanned model, taken from in front and seen from 12 degrees aside, as peers were measured with
+ * it: the
  * errors of planar warping, without and with the second layer, and as printed. */
 #include "apps/depth_images/capture.h"
 #include "apps/depth_images/drawing/direct.h"

@@ -1,5 +1,5 @@
-/* Planar depth images drawn straight: themselves from where they were taken, near to the truth from aside,
- * the same bits on every device; and what they fail at, each beside its remedy. */
+/* Planar depth images drawn straight: themselves from where they were taken, near to the truth from
+ * aside, the same bits on every device; and what they fail at, each beside its remedy. */
 #include "apps/depth_images/drawing/direct.h"
 #include "apps/depth_images/drawing/planar.h"
 #include "shaders_c/warp/direct.h"
@@ -133,7 +133,8 @@ static uint32_t covered_from_aside(const DepthImage *image)
     return covered;
 }
 
-/* A slope in 32 levels, each 11 pixels deep: their steps are no edges, as long as they can be told. */
+/* A slope in 32 levels, each 11 pixels deep: their steps are no edges, as long as they can be
+ * told. */
 static void steps_of_few_bits_are_no_edges(void **state)
 {
     (void)state;
@@ -252,7 +253,8 @@ static void an_eye_behind_the_image_is_named(void **state)
     formula_free(&image);
 }
 
-/* How two pictures differ: on average in 255ths where both cover; and pixels that only one of them covers. */
+/* How two pictures differ: on average in 255ths where both cover; and pixels that only one of them
+ * covers. */
 typedef struct Change {
     double color, cover;
 } Change;
@@ -279,7 +281,8 @@ static Change change_of(Direct *direct, uint32_t first, uint32_t second, const C
     return (Change){ color / both, one };
 }
 
-/* Where the footprint asks for a step, the picture is nearly that of step 1; near by it would not be. */
+/* Where the footprint asks for a step, the picture is nearly that of step 1; near by it would not
+ * be. */
 static void a_change_of_level_is_hardly_seen(void **state)
 {
     (void)state;

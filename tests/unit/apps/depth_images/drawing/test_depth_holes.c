@@ -1,5 +1,6 @@
-/* What one planar depth image does not show, and what fills it: the second layer, where a little comes into
- * view behind edges; images from other sides, where much does, as through the hole of a ring. */
+/* What one planar depth image does not show, and what fills it: the second layer, where a little
+ * comes into view behind edges; images from other sides, where much does, as through the hole of a
+ * ring. */
 #include "apps/depth_images/capture.h"
 #include "apps/depth_images/drawing/direct.h"
 #include "tests/support/depth/around.h"

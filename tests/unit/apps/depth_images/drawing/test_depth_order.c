@@ -1,5 +1,5 @@
-/* The order of cells that needs no depth test: of two places on a ray from the eye the nearer comes later,
- * for images and eyes of both kinds, wherever the eye is. */
+/* The order of cells that needs no depth test: of two places on a ray from the eye the nearer comes
+ * later, for images and eyes of both kinds, wherever the eye is. */
 #include "apps/depth_images/drawing/order.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"

@@ -1,5 +1,5 @@
-/* Planar depth images warped as printed: near to the truth from aside, with the view's depth, the same bits
- * on every device; and what the method fails at, each beside its remedy. */
+/* Planar depth images warped as printed: near to the truth from aside, with the view's depth, the
+ * same bits on every device; and what the method fails at, each beside its remedy. */
 #include "apps/depth_images/drawing/planar.h"
 #include "shaders_c/warp/planar.h"
 #include "tests/support/depth/formula.h"
@@ -11,7 +11,8 @@ static const WarpLight light = { .position = { 0.6, 0.8, 0 },
                                  .color = { 1, 1, 1 },
                                  .ambient = { .2f, .2f, .2f } };
 
-/* A picture of an image as a camera sees it. owns: the caller, frame_free, and planar_close after that */
+/* A picture of an image as a camera sees it. owns: the caller, frame_free, and planar_close after
+ * that */
 static Frame draw(const DepthImage *image, const PlanarSetting *setting, const Camera *camera,
                   bool lit, Planar *planar)
 {
@@ -92,8 +93,8 @@ static void rubber_sheets_are_cut(void **state)
     }
 }
 
-/* The plane stands where the step is high, z = 0.5: an eye on it sees nothing of it as printed, since all is
- * warped to the eye's foot. */
+/* The plane stands where the step is high, z = 0.5: an eye on it sees nothing of it as printed,
+ * since all is warped to the eye's foot. */
 static void an_eye_on_the_plane_moves_it(void **state)
 {
     (void)state;

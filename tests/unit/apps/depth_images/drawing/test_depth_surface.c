@@ -1,5 +1,5 @@
-/* Depth images drawn straight: near to the truth from everywhere, whole at the seam, the same bits on
- * every device; and their failures, each beside its remedy. */
+/* Depth images drawn straight: near to the truth from everywhere, whole at the seam, the same bits
+ * on every device; and their failures, each beside its remedy. */
 #include "apps/depth_images/drawing/surface.h"
 #include "tests/support/depth/around.h"
 
@@ -59,9 +59,9 @@ static double drift_in(const DepthImage *image, const SurfaceVertex *const corne
     return most;
 }
 
-/* Of a floor to the horizon, where a pixel is wide far away and narrow near by, so that places in the
- * picture are no linear function of those in a triangle: merging takes both as one no farther than a
- * pixel. */
+/* Of a floor to the horizon, where a pixel is wide far away and narrow near by, so that places in
+ * the picture are no linear function of those in a triangle: merging takes both as one no farther
+ * than a pixel. */
 static void colors_of_a_perspective_floor_drift_by_a_pixel_at_most(void **state)
 {
     (void)state;
@@ -162,8 +162,8 @@ static void caps_close_what_is_seen_from_above(void **state)
     depth_shape_close(&shape);
 }
 
-/* A ring that stands: rays towards the axis pass by its hole's edge. Of each half's own cylinder, as the
- * paper has it, nothing is lost. */
+/* A ring that stands: rays towards the axis pass by its hole's edge. Of each half's own cylinder,
+ * as the paper has it, nothing is lost. */
 static void a_hole_is_kept_by_pieces(void **state)
 {
     (void)state;

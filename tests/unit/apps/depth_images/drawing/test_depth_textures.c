@@ -1,5 +1,5 @@
-/* Textures of depth images: what shows something is as it was; what does not has the mean of the smallest
- * square of the pyramid about it in which something shows. */
+/* Textures of depth images: what shows something is as it was; what does not has the mean of the
+ * smallest square of the pyramid about it in which something shows. */
 #include "apps/depth_images/drawing/textures.h"
 
 #include "tests/support/random.h"
@@ -23,7 +23,8 @@ static DepthPixels make_pixels(uint32_t width, uint32_t height, int holes)
     return (DepthPixels){ .width = width, .height = height, .depth = depth, .color = value };
 }
 
-/* Channel c over the square of 2^level pixels a side that has a pixel; false: nothing shows there. */
+/* Channel c over the square of 2^level pixels a side that has a pixel; false: nothing shows
+ * there. */
 static bool mean_of_square(const DepthPixels *pixels, uint32_t x, uint32_t y, int level, int c,
                            double *mean)
 {

@@ -1,5 +1,5 @@
-/* Grids of planar depth images: as near to every pixel as was asked, without cracks; surfaces that end do so
- * half a cell out, and no triangle hangs between two. */
+/* Grids of planar depth images: as near to every pixel as was asked, without cracks; surfaces that
+ * end do so half a cell out, and no triangle hangs between two. */
 #include "apps/depth_images/drawing/grid.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
@@ -51,7 +51,8 @@ static const GridVertex *corner_of(const WarpGrid *grid, uint32_t index)
     return &grid->vertices[grid->indices[index]];
 }
 
-/* Twice the area, above 0 of triangles that turn counter-clockwise in a picture whose y goes down. */
+/* Twice the area, above 0 of triangles that turn counter-clockwise in a picture whose y goes
+ * down. */
 static double area_of(const WarpGrid *grid, uint32_t first)
 {
     const GridVertex *a = corner_of(grid, first), *b = corner_of(grid, first + 1),
@@ -89,8 +90,8 @@ static bool plane_at(const WarpGrid *grid, uint32_t first, bool is_parallel, dou
     return true;
 }
 
-/* The most that pixels are off triangles over them, in the unit of GridSetting; fails where a pixel has no
- * triangle. */
+/* The most that pixels are off triangles over them, in the unit of GridSetting; fails where a pixel
+ * has no triangle. */
 static double most_off(const WarpGrid *grid, const DepthPlane *plane, const DepthPixels *pixels)
 {
     static uint8_t covered[W * H];
@@ -169,8 +170,8 @@ static void no_pixel_is_farther_off_than_the_tolerance(void **state)
     }
 }
 
-/* An edge from a to b is met by one from b to a, but at the picture's side: then there are no vertices on
- * edges of others, which would open cracks. */
+/* An edge from a to b is met by one from b to a, but at the picture's side: then there are no
+ * vertices on edges of others, which would open cracks. */
 static void neighbours_share_whole_edges(void **state)
 {
     (void)state;
@@ -281,7 +282,8 @@ static void normals_tell_jumps_from_slopes(void **state)
     depth_pixels_free(&pixels);
 }
 
-/* Beyond its last column a slope goes on for half a step: as it came, twice as steep, or by so much at most. */
+/* Beyond its last column a slope goes on for half a step: as it came, twice as steep, or by so much
+ * at most. */
 static void ends_lean_as_far_as_is_allowed(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Merged grids: near to their points everywhere, without cracks, and left out only where nothing shows. */
+/* Merged grids: near to their points everywhere, without cracks, and left out only where nothing
+ * shows. */
 #include "apps/depth_images/drawing/merge.h"
 #include "apps/base/camera.h"
 #include "tests/support/random.h"
@@ -162,7 +163,8 @@ static double area_there(const MergeGrid *grid)
             const bool falls = ((x ^ y) & 1) == 0;
             const uint32_t corner[2][3] = { { at, falls ? at + n + 1 : at + 1, at + n },
                                             { falls ? at : at + n, at + n + 1, at + 1 } };
-            /* halves with the right angle below on the left and above on the right, or the others */
+            /* halves with the right angle below on the left and above on the right, or the
+             * others */
             const uint32_t other[2][3] = { { at, at + 1, at + n }, { at + n + 1, at + n, at + 1 } };
             for (int i = 0; i < 2; i++) {
                 const uint32_t *c = falls ? corner[i] : other[i];

@@ -1,4 +1,5 @@
-/* Shares of images that see the same: no place is lost, what is seen twice is drawn once, and triangles are left
+/* Shares of images that see the same: no place is lost, what is seen twice is drawn once, and
+ * triangles are left
  * out only where nothing of a share is. */
 #include "apps/depth_images/drawing/merge.h"
 #include "apps/depth_images/drawing/shares.h"
@@ -27,7 +28,8 @@ static void point_of(const DepthImage *image, uint32_t x, uint32_t y, double poi
         depth_plane_point(&image->plane, &image->front, x + 0.5, y + 0.5, depth, point);
 }
 
-/* Whether an image has a point within two pixels of where it shows it, as its own, about as deep. */
+/* Whether an image has a point within two pixels of where it shows it, as its own, about as
+ * deep. */
 static bool owns(const DepthImage *image, const uint8_t *own, const double point[3])
 {
     double place[2], depth;

@@ -70,7 +70,8 @@ static double cosine_at(const DepthImage *image, int pixel, const double way[3])
     return fabs(vector_dot(normal, way));
 }
 
-/* The larger cosine of the angles that the way between two pixels has with the normals at its ends. */
+/* The larger cosine of the angles that the way between two pixels has with the normals at its
+ * ends. */
 static double cosine_between(const DepthImage *image, int from, int to)
 {
     double end[2][3], way[3];

@@ -1,5 +1,5 @@
-/* A walk among depth images: what is seen is drawn and nothing else, under shadows, the same bits on every
- * device. */
+/* A walk among depth images: what is seen is drawn and nothing else, under shadows, the same bits
+ * on every device. */
 #include "apps/depth_images/drawing/walk.h"
 #include "tests/support/depth/depth_shapes.h"
 #include "tests/support/depth/formula.h"
@@ -76,7 +76,8 @@ static void what_is_outside_the_view_is_left_out(void **state)
     walk_close(&walk);
 }
 
-/* Objects stand on the ground: each casts a shadow, and most of its outside is as bright as without. */
+/* Objects stand on the ground: each casts a shadow, and most of its outside is as bright as
+ * without. */
 static void shadows_fall_on_the_ground_and_on_images(void **state)
 {
     (void)state;
@@ -117,8 +118,8 @@ static void every_step_of_the_way_is_drawn(void **state)
     walk_close(&walk);
 }
 
-/* How many lengths of the ray from a place the nearest ball of the field is away, and its normal there; HUGE_VAL:
- * none. */
+/* How many lengths of the ray from a place the nearest ball of the field is away, and its normal
+ * there; HUGE_VAL: none. */
 static double meet_balls(const Walk *walk, const double from[3], const double ray[3],
                          double normal[3])
 {
@@ -181,8 +182,8 @@ static void compare_places(const Walk *walk, double share, Places *places)
     }
 }
 
-/* From several places of the way, at which objects are cut by the picture's border. What is mislit lies along the
- * borders of shadows, whose map is filtered. */
+/* From several places of the way, at which objects are cut by the picture's border. What is mislit
+ * lies along the borders of shadows, whose map is filtered. */
 static void balls_and_their_shadows_are_where_rays_meet_them(void **state)
 {
     (void)state;

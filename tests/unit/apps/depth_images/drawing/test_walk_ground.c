@@ -126,7 +126,8 @@ static void draw_ground(const Walk *walk, double share, double texel, float rgba
     frame_free(&frame);
 }
 
-/* Where nothing throws a shadow, whether the map is read shows nowhere: neither by seams nor by colours. */
+/* Where nothing throws a shadow, whether the map is read shows nowhere: neither by seams nor by
+ * colours. */
 static void parts_of_the_ground_do_not_show(void **state)
 {
     (void)state;

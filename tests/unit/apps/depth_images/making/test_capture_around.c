@@ -1,5 +1,6 @@
-/* Boxes and cylinders about models, against rays in double: every pixel, the seam, caps, models that are
- * thin, on the axis or off it; and how much is lost where faces are sampled a second time, as printed. */
+/* Boxes and cylinders about models, against rays in double: every pixel, the seam, caps, models
+ * that are thin, on the axis or off it; and how much is lost where faces are sampled a second time,
+ * as printed. */
 #include "apps/depth_images/making/capture_box.h"
 #include "apps/depth_images/making/capture_cylinder.h"
 #include "tests/support/depth/depth_case.h"
@@ -144,7 +145,8 @@ static void cylinders_that_stand_anywhere_are_what_rays_meet(void **state)
     depth_case_close(&seen);
 }
 
-/* How far points of an image's pixels are from the mesh: along the ray that found them, back and on. */
+/* How far points of an image's pixels are from the mesh: along the ray that found them, back and
+ * on. */
 static void assert_on_mesh(const DepthCase *seen, const DepthImage *image, uint32_t least)
 {
     uint32_t shown = 0, off = 0;

@@ -29,7 +29,8 @@ static DepthCylinder random_cylinder(Random *random)
     return cylinder;
 }
 
-/* Of every size, anywhere in the cylinder; some around the axis, some along it, some a line or a point. */
+/* Of every size, anywhere in the cylinder; some around the axis, some along it, some a line or a
+ * point. */
 static void random_triangle(Random *random, const DepthCylinder *cylinder, float corner[9])
 {
     const double size = random_int(random, 0, 3) ? 0.3 : 3;
@@ -70,7 +71,8 @@ static double cross(const double a[2], const double b[2])
     return a[0] * b[1] - a[1] * b[0];
 }
 
-/* Whether the half plane in the middle of a column cuts an edge: from the axis on, in its direction. */
+/* Whether the half plane in the middle of a column cuts an edge: from the axis on, in its
+ * direction. */
 static bool is_met(const Flat *flat, int column)
 {
     const double turn = TURN * (column + 0.5) / COLUMNS, way[2] = { cos(turn), sin(turn) };
@@ -96,8 +98,8 @@ static double length_of(double x, double y)
     return sqrt(x * x + y * y);
 }
 
-/* From the axis to the triangle: to a corner, or to an edge before which it lies. HUGE_VAL: the axis goes
- * through it. */
+/* From the axis to the triangle: to a corner, or to an edge before which it lies. HUGE_VAL: the
+ * axis goes through it. */
 static double nearest_of(const Flat *flat)
 {
     double nearest = HUGE_VAL;

@@ -1,5 +1,6 @@
-/* Depth images of pictures: planes whose depths are known, cameras that make no sense, steps of 8 bits,
- * height maps; and, where the data is, two views of one room that must tell of the same walls. */
+/* Depth images of pictures: planes whose depths are known, cameras that make no sense, steps of 8
+ * bits, height maps; and, where the data is, two views of one room that must tell of the same
+ * walls. */
 #include "apps/base/vector.h"
 #include "apps/depth_images/making/height_map.h"
 #include "apps/depth_images/making/rgbd.h"
@@ -55,7 +56,8 @@ static void pixels_are_where_the_lens_sees_them(void **state)
     }
 }
 
-/* A wall that leans: depths of 16 bits, of which one is nothing; its normal is found, and colours are kept. */
+/* A wall that leans: depths of 16 bits, of which one is nothing; its normal is found, and colours
+ * are kept. */
 static void depths_are_codes_times_the_unit_and_0_is_nothing(void **state)
 {
     (void)state;
@@ -180,7 +182,7 @@ static void pictures_that_do_not_agree_are_refused(void **state)
     assert_int_equal(rgbd_read(color, in_folder("none.pgm"), &camera, &image, &error), GP_ERROR_IO);
 }
 
-/* --- height maps -------------------------------------------------------------------------------- */
+/* --- height maps ------------------------------------------------------------------------------ */
 
 /* A ramp to the right, with and without normals of its own; colours of twice the size. */
 static void height_maps_are_reliefs_about_the_origin(void **state)
@@ -214,7 +216,8 @@ static void height_maps_are_reliefs_about_the_origin(void **state)
             assert_true(fabs(point[2] - 0.5 * 30 * (i % 8) / 255) < 1e-7);
             assert_true(fabs((double)image.front.color[3 * i] - (20 * (i % 8) + 5) / 255.0) < 1e-6);
         }
-        /* Own ones lean to +x; found ones are square to the ramp, which rises by 0.0588 every 0.25. */
+        /* Own ones lean to +x; found ones are square to the ramp, which rises by 0.0588 every
+         * 0.25. */
         const double slope = 0.5 * 30 / 255 / 0.25;
         const float *n = image.front.normal + 3 * 11;
         if (own == 0)
@@ -229,7 +232,7 @@ static void height_maps_are_reliefs_about_the_origin(void **state)
                      GP_ERROR_IO);
 }
 
-/* --- two views of one room ------------------------------------------------------------------------ */
+/* --- two views of one room -------------------------------------------------------------------- */
 
 static int ascending(const void *a, const void *b)
 {

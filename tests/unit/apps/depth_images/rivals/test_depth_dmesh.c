@@ -1,4 +1,5 @@
-/* Depth meshes: rubber sheets, and the cut that is their remedy; simplified ones, with as good a picture. */
+/* Depth meshes: rubber sheets, and the cut that is their remedy; simplified ones, with as good a
+ * picture. */
 #include "apps/depth_images/rivals/dmesh.h"
 #include "tests/support/depth/formula.h"
 

@@ -1,5 +1,5 @@
-/* Look-alikes: they move no outline, parallax looks nearer to what is there than bumps, and its places run
- * away at flat angles unless they are limited. */
+/* Look-alikes: they move no outline, parallax looks nearer to what is there than bumps, and its
+ * places run away at flat angles unless they are limited. */
 #include "apps/depth_images/rivals/parallax.h"
 #include "tests/support/depth/formula.h"
 

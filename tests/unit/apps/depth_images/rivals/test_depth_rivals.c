@@ -1,5 +1,6 @@
-/* What is drawn instead of warping, held to the same facts: planes come out exactly, a step and a ball as
- * near as each method can; nothing breaks from any eye; and every device draws the same bits. */
+/* What is drawn instead of warping, held to the same facts: planes come out exactly, a step and a
+ * ball as near as each method can; nothing breaks from any eye; and every device draws the same
+ * bits. */
 #include "apps/depth_images/rivals/displacement.h"
 #include "apps/depth_images/rivals/dmesh.h"
 #include "apps/depth_images/rivals/parallax.h"
@@ -41,8 +42,8 @@ DRAW_RIVAL(parallax, parallax, Parallax, ParallaxSetting, .kind = PARALLAX_OFFSE
 DRAW_RIVAL(limited, parallax, Parallax, ParallaxSetting, .kind = PARALLAX_LIMITED)
 DRAW_RIVAL(bump, parallax, Parallax, ParallaxSetting, .kind = PARALLAX_BUMP)
 
-/* How far off a method may be: depth as a share of itself, of which the view's buffer has steps of 3e-6;
- * on the mean where surfaces bend. */
+/* How far off a method may be: depth as a share of itself, of which the view's buffer has steps of
+ * 3e-6; on the mean where surfaces bend. */
 static const struct {
     const char *name;
     DrawRival *draw;

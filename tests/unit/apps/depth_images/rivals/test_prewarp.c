@@ -1,5 +1,5 @@
-/* Textures that are warped for an eye: each texel's place is on its line to the eye, what is nearer hides
- * what is farther, gaps are filled where one surface goes on, and only there. */
+/* Textures that are warped for an eye: each texel's place is on its line to the eye, what is nearer
+ * hides what is farther, gaps are filled where one surface goes on, and only there. */
 #include "apps/depth_images/rivals/prewarp.h"
 #include "apps/depth_images/rivals/slab_quad.h"
 #include "tests/support/depth/formula.h"
@@ -32,8 +32,8 @@ static void warped_free(Warped *warped)
     formula_free(&warped->image);
 }
 
-/* How far a texel is on the plane from where the line from the eye to the place that it shows meets it, in
- * texels. */
+/* How far a texel is on the plane from where the line from the eye to the place that it shows meets
+ * it, in texels. */
 static double off_of(const Warped *warped, uint32_t x, uint32_t y)
 {
     const Prewarped *made = &warped->made;

@@ -66,8 +66,8 @@ static ConvexFacts draw(const Drawn *drawn, const FragmentView *view, GpSurface 
     return draw_by(drawn, CONVEX_ORDER_EXACT, view, depth, frame);
 }
 
-/* Pixels that are off by more than 1/255, and have neither an edge nor a crossing of triangles within snapping
- * of their centre. */
+/* Pixels that are off by more than 1/255, and have neither an edge nor a crossing of triangles
+ * within snapping of their centre. */
 static uint32_t count_wrong(const Drawn *drawn, const FragmentView *view, const GpSurface *picture)
 {
     static float rgba[SIDE * SIDE][4];
@@ -144,9 +144,9 @@ static void pictures_are_the_truth_from_any_view(void **state)
     }
 }
 
-/* As printed: what planes part, what is nested in each other, and two that cut each other in a slab, is right; where
- * circles have to be cut some is wrong, and has the exact order beside it. Of sheets in one plane each is in
- * front, and they are left out. */
+/* As printed: what planes part, what is nested in each other, and two that cut each other in a
+ * slab, is right; where circles have to be cut some is wrong, and has the exact order beside it. Of
+ * sheets in one plane each is in front, and they are left out. */
 static void an_order_by_a_grid_is_right_but_for_circles(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Cells of points in a plane, against polygons that are cut by the bisectors of all points, one by one. */
+/* Cells of points in a plane, against polygons that are cut by the bisectors of all points, one by
+ * one. */
 #define POOL_THREADS 3
 #include "apps/points/cloud/cells.h"
 

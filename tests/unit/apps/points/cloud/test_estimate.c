@@ -191,7 +191,7 @@ static void flat_and_thin_clouds_have_stated_normals(void **state)
     }
 }
 
-/* --- radii and areas ----------------------------------------------------------------------------- */
+/* --- radii and areas -------------------------------------------------------------------------- */
 
 typedef struct Discs {
     NeighbourTree tree;
@@ -268,8 +268,8 @@ static void discs_close_a_ball_and_areas_add_up(void **state)
     cloud_free(&cloud);
 }
 
-/* Random points of a square, and of one with a hole: white noise, the worst that comes. It has voids of
- * its own, beyond the sixteenth neighbour of points beside them, which may stay open. */
+/* Random points of a square, and of one with a hole: white noise, the worst that comes. It has
+ * voids of its own, beyond the sixteenth neighbour of points beside them, which may stay open. */
 static void discs_close_white_noise_and_find_its_boundary(void **state)
 {
     (void)state;

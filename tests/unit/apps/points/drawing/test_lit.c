@@ -29,8 +29,8 @@ static SplatView seen_from(const Side *side)
     return view;
 }
 
-/* What the ray of a pixel's centre meets of the ball of radius 1, whose points are their normals; false: nothing,
- * or what is near its border. */
+/* What the ray of a pixel's centre meets of the ball of radius 1, whose points are their normals;
+ * false: nothing, or what is near its border. */
 static bool meet_ball(const Side *side, int x, int y, double ray[3], double normal[3])
 {
     const double slope = 0.2679491924311227; /* the tangent of half the view, 15 degrees */
@@ -43,8 +43,8 @@ static bool meet_ball(const Side *side, int x, int y, double ray[3], double norm
     return vector_dot(normal, ray) < -0.5;
 }
 
-/* 0.15 from everywhere, 0.85 of the light, which is 0.4 to the left of the eye's direction and 0.5 above it; and
- * what shines. */
+/* 0.15 from everywhere, 0.85 of the light, which is 0.4 to the left of the eye's direction and 0.5
+ * above it; and what shines. */
 static double lit(const Side *side, const double ray[3], const double normal[3], double specular)
 {
     double light[3], half[3];
@@ -59,7 +59,8 @@ static double lit(const Side *side, const double ray[3], const double normal[3],
     return fmin(0.15 + 0.85 * fmax(vector_dot(normal, light), 0) + specular * shine, 1);
 }
 
-/* The mean difference of a picture of the ball from what is right. Only what is lit once a pixel shines. */
+/* The mean difference of a picture of the ball from what is right. Only what is lit once a pixel
+ * shines. */
 static double difference(const Surfels *ball, const Side *side, SplatMethod method)
 {
     const bool filtered = method < SPLAT_ROUND;

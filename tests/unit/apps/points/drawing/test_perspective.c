@@ -1,5 +1,5 @@
-/* Splats by rays against the sum that they stand for, in double, of all surfels, without a cut; and how far
- * off affine splats are in the same wide view. */
+/* Splats by rays against the sum that they stand for, in double, of all surfels, without a cut; and
+ * how far off affine splats are in the same wide view. */
 #include "apps/points/drawing/splats.h"
 #include "apps/points/drawing/view.h"
 
@@ -39,7 +39,8 @@ static SplatView make_view(void)
                         .height = SIDE };
 }
 
-/* Where the ray of a pixel's centre meets the plane; false: nowhere in front, or near its border. */
+/* Where the ray of a pixel's centre meets the plane; false: nowhere in front, or near its
+ * border. */
 static bool meet_plane(const SplatView *view, const SplatEye *eye, int x, int y, double place[2])
 {
     const double across = (x + 0.5 - SIDE / 2) / eye->focal;

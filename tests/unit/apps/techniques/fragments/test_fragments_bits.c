@@ -1,4 +1,5 @@
-/* The bits of pictures of fragments: one picture for every executor, number of threads and lane width. */
+/* The bits of pictures of fragments: one picture for every executor, number of threads and lane
+ * width. */
 #include "apps/techniques/fragments/options.h"
 #include "apps/techniques/fragments/technique.h"
 #include "tests/support/technique/one_picture.h"

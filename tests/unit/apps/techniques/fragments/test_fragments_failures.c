@@ -61,7 +61,7 @@ static void what_is_lost_is_seen_and_found_again(void **state)
     check(rows, GP_COUNT(rows));
 }
 
-/* --- meshes that are hard -------------------------------------------------------------------------- */
+/* --- meshes that are hard --------------------------------------------------------------------- */
 
 /* Wrong pixels of a mesh of triangles in front of the eye. */
 static FragmentError error_of(const float (*corners)[3], uint32_t triangles, const char *options)
@@ -120,8 +120,8 @@ static uint64_t wrong_of(const float (*corners)[3], uint32_t triangles, const ch
     return error_of(corners, triangles, options).wrong_beyond_edges;
 }
 
-/* Three sheets of one plane: of their fragments peeling sees one, dual peeling one of mixed colours; lists
- * keep them in the order of triangles. */
+/* Three sheets of one plane: of their fragments peeling sees one, dual peeling one of mixed
+ * colours; lists keep them in the order of triangles. */
 static void layers_in_one_plane_are_one_to_those_who_peel(void **state)
 {
     (void)state;
@@ -136,8 +136,8 @@ static void layers_in_one_plane_are_one_to_those_who_peel(void **state)
     assert_true(wrong_of(sheets, 3, "--method kbuffer --kept 3") == 0);
 }
 
-/* A nearer fragment that comes last moves those of one depth on by one place: none of them is lost, and none
- * is counted twice. */
+/* A nearer fragment that comes last moves those of one depth on by one place: none of them is lost,
+ * and none is counted twice. */
 static void lists_keep_layers_of_one_plane_in_their_order(void **state)
 {
     (void)state;
@@ -153,7 +153,8 @@ static void lists_keep_layers_of_one_plane_in_their_order(void **state)
         assert_true(wrong_of((const float(*)[3])sheets, 7, lists[i]) == 0);
 }
 
-/* Five layers closer than 16 bits of depth tell apart, drawn back to front, before one that is far. */
+/* Five layers closer than 16 bits of depth tell apart, drawn back to front, before one that is
+ * far. */
 static void close_layers_are_mixed_up_by_buckets_and_packed_depths(void **state)
 {
     (void)state;
@@ -173,8 +174,8 @@ static void close_layers_are_mixed_up_by_buckets_and_packed_depths(void **state)
     }
 }
 
-/* The near plane cuts triangles, some of which begin behind the eye; others are open, pass through each
- * other, have no area. */
+/* The near plane cuts triangles, some of which begin behind the eye; others are open, pass through
+ * each other, have no area. */
 static void open_meshes_from_inside_are_exact(void **state)
 {
     (void)state;
@@ -218,8 +219,8 @@ static void meshes_of_next_to_nothing_are_exact(void **state)
     }
 }
 
-/* Triangles in a heap, most of which the near plane cuts: what is wrong lies at edges, or where two of them cross,
- * within the steps that corners are rounded to. */
+/* Triangles in a heap, most of which the near plane cuts: what is wrong lies at edges, or where two
+ * of them cross, within the steps that corners are rounded to. */
 static void a_heap_of_triangles_is_exact_but_for_the_steps_of_corners(void **state)
 {
     (void)state;
@@ -242,7 +243,7 @@ static void a_heap_of_triangles_is_exact_but_for_the_steps_of_corners(void **sta
     assert_true(at_crossings > 0);
 }
 
-/* --- bodies ---------------------------------------------------------------------------------------- */
+/* --- bodies ----------------------------------------------------------------------------------- */
 
 static void light_is_taken_on_its_way_through_a_body(void **state)
 {

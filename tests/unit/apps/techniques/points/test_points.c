@@ -1,6 +1,6 @@
-/* How splats fail, each failure beside its remedy, as rows of a table; and that what is whole stays whole
- * from all round. Popping has a test of its own (test_popping.c), and so have what bytes do to normals and
- * tangents (test_compress.c). */
+/* How splats fail, each failure beside its remedy, as rows of a table; and that what is whole stays
+ * whole from all round. Popping has a test of its own (test_popping.c), and so have what bytes do
+ * to normals and tangents (test_compress.c). */
 #include "apps/techniques/points/technique.h"
 
 #include "apps/techniques/points/model.h"
@@ -176,8 +176,9 @@ static void epsilon_is_neither_too_small_nor_too_large(void **state)
     unlink(name);
 }
 
-/* Just above a plane, whose points lie below, beside and behind the eye too. Those right below it, nearer
- * than anything that is seen, are smeared over the picture: what the nearest plane is for. */
+/* Just above a plane, whose points lie below, beside and behind the eye too. Those right below it,
+ * nearer than anything that is seen, are smeared over the picture: what the nearest plane is
+ * for. */
 #define WITHIN(NEAR)                                                                               \
     {                                                                                              \
         .eye = { 0, 0.05, 0 }, .at = { 0, 0.03, -1 }, .up = { 0, 1, 0 }, .fovy = 60, .near = NEAR, \

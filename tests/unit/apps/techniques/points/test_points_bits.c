@@ -1,4 +1,5 @@
-/* The bits of splatted pictures: one picture for every executor, number of threads and lane width. */
+/* The bits of splatted pictures: one picture for every executor, number of threads and lane
+ * width. */
 #include "apps/techniques/points/options.h"
 #include "apps/techniques/points/technique.h"
 #include "tests/support/technique/one_picture.h"

@@ -81,10 +81,10 @@ static void compare_forms(const TechniqueStage *stage, Apart apart[COMPRESS_FORM
                   decibels(&apart[COMPRESS_OURS]), decibels(&apart[COMPRESS_PRINTED]));
 }
 
-/* By the slopes of the light's terms a normal turned by a radian changes a colour by at most 0.85 (Lambert)
- * and 0.25 sqrt(32) exp(-1/2) = 0.86 (the highlight). Normals are off by the angles that compress.h states,
- * where they lie in the farthest corner of a code's cell; the root of the mean square is less by sqrt(3).
- * The difference of two roundings to codes is 0.41. */
+/* By the slopes of the light's terms a normal turned by a radian changes a colour by at most 0.85
+ * (Lambert) and 0.25 sqrt(32) exp(-1/2) = 0.86 (the highlight). Normals are off by the angles that
+ * compress.h states, where they lie in the farthest corner of a code's cell; the root of the mean
+ * square is less by sqrt(3). The difference of two roundings to codes is 0.41. */
 #define SLOPE 1.71
 
 static double least_decibels(double degrees)
@@ -116,8 +116,8 @@ static void pictures_are_off_by_what_normals_are(void **state)
     }
 }
 
-/* Colours that change with the place, by 5 a unit at most: places are off by what compress.h states, of
- * boxes not larger than the ball, which is 2 wide. */
+/* Colours that change with the place, by 5 a unit at most: places are off by what compress.h
+ * states, of boxes not larger than the ball, which is 2 wide. */
 static void pictures_are_off_by_what_places_are(void **state)
 {
     (void)state;
@@ -169,8 +169,8 @@ static int count_jumps(const TechniqueStage *stage, const char *text)
     return jumps;
 }
 
-/* The printed failure, and its remedy: in a close view of a surface that bends gently, points next to each
- * other have one normal, up to a code's end: bands, which highlights show. */
+/* The printed failure, and its remedy: in a close view of a surface that bends gently, points next
+ * to each other have one normal, up to a code's end: bands, which highlights show. */
 static void quantized_normals_show_bands_that_ours_has_not(void **state)
 {
     (void)state;
@@ -195,7 +195,7 @@ static void quantized_normals_show_bands_that_ours_has_not(void **state)
     unlink(path);
 }
 
-/* --- what is kept ------------------------------------------------------------------------------ */
+/* --- what is kept ----------------------------------------------------------------------------- */
 
 static double bytes_a_point(const TechniqueStage *stage, const char *text)
 {

@@ -1,5 +1,5 @@
-/* Pictures of splats against the sum over all of them, in double and without cut-off: what is between is
- * the cut, and the precision of the sums. */
+/* Pictures of splats against the sum over all of them, in double and without cut-off: what is
+ * between is the cut, and the precision of the sums. */
 #include "apps/techniques/points/technique.h"
 
 #include "apps/points/surfels.h"
@@ -72,8 +72,8 @@ static SplatSum sum_all(SplatSumKind kind, double low_pass)
     return sum;
 }
 
-/* The root of the mean square of what is between, in 255ths, where splats of one surface cover all of a
- * pixel and of its neighbours; and of how many values it is. */
+/* The root of the mean square of what is between, in 255ths, where splats of one surface cover all
+ * of a pixel and of its neighbours; and of how many values it is. */
 static double distance(const SplatSum *sum, const char *text, int *count)
 {
     GpError error;

@@ -89,7 +89,7 @@ static bool eye_sees(const Scene *scene, const double point[3])
     return is_on_map(clip, 0) && has_depth(clip);
 }
 
-/* --- the casters ------------------------------------------------------------------------------- */
+/* --- the casters ------------------------------------------------------------------------------ */
 
 static void casters_are_on_the_map_and_fill_it(const char *light)
 {
@@ -115,10 +115,10 @@ static void casters_fit_holds_all_casters(void **state)
     casters_are_on_the_map_and_fill_it(spot);
 }
 
-/* --- the eye ----------------------------------------------------------------------------------- */
+/* --- the eye ---------------------------------------------------------------------------------- */
 
-/* Every shaded point of the floor that the eye sees is on its map, and at the same place, less deep,
- * is what shades it. */
+/* Every shaded point of the floor that the eye sees is on its map, and at the same place, less
+ * deep, is what shades it. */
 static void what_is_seen_stays_on_the_map(const char *source)
 {
     Scene scene = avenue(source);

@@ -1,6 +1,7 @@
-/* How shadow maps fail, and what mends it: each failure of the thesis's chapter 4 as a pair of rows,
- * in pixels of 256 x 256, of which some 42000 show something. Acne is what is dark and should be lit,
- * a leak is what is lit and should be dark. */
+/* How shadow maps fail, and what mends it: each failure of the thesis's chapter 4 as a pair of
+ * rows,
+ * in pixels of 256 x 256, of which some 42000 show something. Acne is what is dark and should be
+ * lit, a leak is what is lit and should be dark. */
 #include "apps/techniques/shadow/technique.h"
 #include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"

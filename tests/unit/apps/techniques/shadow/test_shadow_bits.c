@@ -1,5 +1,6 @@
-/* The bits of shadow maps: one picture for every executor, number of threads and lane width; and why
- * the plain method's four compares and the hardware's filter are not the same, to the last bit. */
+/* The bits of shadow maps: one picture for every executor, number of threads and lane width; and
+ * why the plain method's four compares and the hardware's filter are not the same, to the last
+ * bit. */
 #include "apps/techniques/shadow/technique.h"
 #include "apps/techniques/shadow/shadow.h"
 #include "pipeline/units/texture.h"
@@ -59,7 +60,7 @@ static void several_lights_and_a_cube_map_are_one_picture(void **state)
     check("scenes/shadow_lamps.json", texts, GP_COUNT(texts));
 }
 
-/* --- four compares and a filter ------------------------------------------------------------------- */
+/* --- four compares and a filter --------------------------------------------------------------- */
 
 /* The floor leans so little to the light that the last bits of its depth decide. */
 static const char scene[] =
@@ -198,10 +199,10 @@ static GpSurface *as_depth(const GpSurface *map)
 }
 
 /* From the plain method's picture to the hardware's, one change at a time. Both ends are what was
- * drawn, in every fragment that faces the light; and so is what lies between, which leaves no fourth
- * cause.
- *   fractions: the sampler knows 256ths of a texel, the shader floats
- *   map: colours hold z / w of interpolated z and w; depth buffers the rasterizer's own depth, which
+ * drawn, in every fragment that faces the light; and so is what lies between, which leaves no
+ * fourth cause.
+ *   fractions: the sampler knows 256ths of a texel, the shader floats map: colours hold z / w of
+ *   interpolated z and w; depth buffers the rasterizer's own depth, which
  *        is linear on the screen
  *   place: one matrix to texture coordinates, and division; or division first, and then a scale */
 static void three_causes_part_four_compares_from_a_filter(void **state)

@@ -57,8 +57,8 @@ static int visible_at(const Frame *frame, uint32_t i, uint32_t j)
 }
 
 /* The silhouette of discs lies outside of the ball's by their radius squared over twice the ball's,
- * 0.0007, a texel of the map is 0.006 wide and a pixel 0.026: outlines move by less than a quarter of a
- * pixel, so that of the pixels along them at most a quarter changes sides. */
+ * 0.0007, a texel of the map is 0.006 wide and a pixel 0.026: outlines move by less than a quarter
+ * of a pixel, so that of the pixels along them at most a quarter changes sides. */
 static void expect_alike(const char *light, const char *options)
 {
     Frame splats = { .color = NULL }, mesh = { .color = NULL };

@@ -1,5 +1,5 @@
-/* Shadows of a world that is turned: what only receives is found whichever way it lies, so that maps
- * fit and errors stay what they were. */
+/* Shadows of a world that is turned: what only receives is found whichever way it lies, so that
+ * maps fit and errors stay what they were. */
 #include "apps/techniques/shadow/technique.h"
 #include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
@@ -124,15 +124,15 @@ static const World worlds[] = {
     { { 1, 2, 3 }, 25, true },  { { 3, -1, 0.5 }, 25, true },  { { 0.2, 0.3, 1 }, 77, true },
 };
 
-/* Turned with all that there is, the scene is the same scene: the map's texels lie where they did, and
- * what differs is the rounding of positions, 2^-24 of them, which decides about a pixel or two on an
- * edge; the fit to the eye alone measures objects by boxes along the axes, which are wider round what
- * is turned. Where the map's up stays, the map lies at another angle about the light's axis: its
- * square round the casters is up to the square root of 2 wider, its texels with it, and steps of
- * shadows' edges are as wide as texels: 1.42 times the error, and a little since it is chance where
- * edges fall. As long as floors were found only along the axes, a turned one was taken for a caster,
- * the map was spread over it, and these errors were 1.2 to 3 times what they are: the default's 59 to
- * 69, where straight ones were 30. */
+/* Turned with all that there is, the scene is the same scene: the map's texels lie where they did,
+ * and what differs is the rounding of positions, 2^-24 of them, which decides about a pixel or two
+ * on an edge; the fit to the eye alone measures objects by boxes along the axes, which are wider
+ * round what is turned. Where the map's up stays, the map lies at another angle about the light's
+ * axis: its square round the casters is up to the square root of 2 wider, its texels with it, and
+ * steps of shadows' edges are as wide as texels: 1.42 times the error, and a little since it is
+ * chance where edges fall. As long as floors were found only along the axes, a turned one was taken
+ * for a caster, the map was spread over it, and these errors were 1.2 to 3 times what they are: the
+ * default's 59 to 69, where straight ones were 30. */
 static void turning_the_world_leaves_the_error(void **state)
 {
     (void)state;

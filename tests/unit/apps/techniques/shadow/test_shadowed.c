@@ -1,5 +1,5 @@
-/* Scenes under shadows that have more than what casts them: volumes, and what is blended; and scenes that
- * ask for shadows themselves. */
+/* Scenes under shadows that have more than what casts them: volumes, and what is blended; and
+ * scenes that ask for shadows themselves. */
 #include "apps/techniques/shadow/setting.h"
 #include "apps/techniques/shadow/shadowed.h"
 #include "apps/techniques/shadow/technique.h"
@@ -86,8 +86,8 @@ static void render(const char *keys, const char *objects, int grey, Picture pixe
     scene_free(&scene);
 }
 
-/* Glass by three quarters is three parts of the picture without it and one of where it is whole: its
- * shadow is nowhere, and the shadows behind it are as they were. Alpha is theirs. */
+/* Glass by three quarters is three parts of the picture without it and one of where it is whole:
+ * its shadow is nowhere, and the shadows behind it are as they were. Alpha is theirs. */
 static void what_is_blended_lies_over_shadows_and_casts_none(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* The bits of pictures of volumes: one picture for every executor, number of threads and lane width. */
+/* The bits of pictures of volumes: one picture for every executor, number of threads and lane
+ * width. */
 #include "apps/techniques/volume/options.h"
 #include "apps/techniques/volume/technique.h"
 #include "tests/support/technique/one_picture.h"

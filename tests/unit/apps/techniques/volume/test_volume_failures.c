@@ -1,5 +1,5 @@
-/* How pictures of volumes fail, each failure beside its remedy. Popping, 8-bit sums, blurred surfaces and
- * wide views have tests where splats are drawn. */
+/* How pictures of volumes fail, each failure beside its remedy. Popping, 8-bit sums, blurred
+ * surfaces and wide views have tests where splats are drawn. */
 #include "apps/techniques/volume/report.h"
 #include "apps/techniques/volume/technique.h"
 #include "tests/support/technique/technique_case.h"
@@ -26,10 +26,10 @@ static void what_splats_lose_is_found_again(void **state)
     check(rows, GP_COUNT(rows));
 }
 
-/* --- figure 8 ----------------------------------------------------------------------------------- */
+/* --- figure 8 --------------------------------------------------------------------------------- */
 
-/* Decibels of a checkerboard against what splats stand for, from above, larger than the picture by so
- * much. */
+/* Decibels of a checkerboard against what splats stand for, from above, larger than the picture by
+ * so much. */
 static double checkerboard_psnr(double zoom, VoxelFilter filter)
 {
     VolumeOptions options = volume_option_defaults;
@@ -57,7 +57,8 @@ static double checkerboard_psnr(double zoom, VoxelFilter filter)
     return off.psnr_method;
 }
 
-/* Smaller than a pixel, kernels alone fall between pixels; larger, the pixel's filter alone is blocky. */
+/* Smaller than a pixel, kernels alone fall between pixels; larger, the pixel's filter alone is
+ * blocky. */
 static void single_filters_alias_far_away_and_are_blocks_near(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* How warped pictures fail, each failure beside its remedy. What grids, edges, seams and orders of drawing
- * do has tests where they are drawn. */
+/* How warped pictures fail, each failure beside its remedy. What grids, edges, seams and orders of
+ * drawing do has tests where they are drawn. */
 #include "apps/techniques/warp/technique.h"
 #include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"

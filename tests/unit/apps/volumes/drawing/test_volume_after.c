@@ -15,8 +15,8 @@ static VolumeSplatSetting after(void)
     return setting;
 }
 
-/* Failure: voxels that are classified before they are splatted blur what a transfer function sets apart.
- * Remedy: classification after it. Asked is 36 dB. */
+/* Failure: voxels that are classified before they are splatted blur what a transfer function sets
+ * apart. Remedy: classification after it. Asked is 36 dB. */
 static void classified_voxels_blur_and_classified_sheets_do_not(void **state)
 {
     (void)state;
@@ -39,7 +39,8 @@ static void classified_voxels_blur_and_classified_sheets_do_not(void **state)
     }
 }
 
-/* The volume ends at its first and last samples, and a slab of one value has that value's opacity. */
+/* The volume ends at its first and last samples, and a slab of one value has that value's
+ * opacity. */
 static void a_slab_of_one_value_is_as_opaque_as_it_is_thick(void **state)
 {
     (void)state;
@@ -56,7 +57,8 @@ static void a_slab_of_one_value_is_as_opaque_as_it_is_thick(void **state)
     splatted_close(&volume);
 }
 
-/* A light beside the eye: the middle of a ball faces it, the rim does not; classified before or after. */
+/* A light beside the eye: the middle of a ball faces it, the rim does not; classified before or
+ * after. */
 static void gradients_are_lit_before_and_after(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Rays through volumes: close to the truth of the data however they are looked at, and the same bits on
- * every device. */
+/* Rays through volumes: close to the truth of the data however they are looked at, and the same
+ * bits on every device. */
 #include "apps/volumes/drawing/raycast.h"
 #include "tests/support/volume_case.h"
 
@@ -218,7 +218,8 @@ static void a_new_transfer_function_is_as_the_first(void **state)
     field_free(&field);
 }
 
-/* Thin volumes, eyes that look away, and volumes behind the eye draw nothing; what is too large says so. */
+/* Thin volumes, eyes that look away, and volumes behind the eye draw nothing; what is too large
+ * says so. */
 static void what_cannot_be_seen_is_not(void **state)
 {
     (void)state;

@@ -45,7 +45,8 @@ static double difference_across_the_switch(SplattedVolume *volume,
     return 255 * splatted_difference(frames[0], frames[1]);
 }
 
-/* Failure: with sheets along the volume's axes, as printed, pictures jump. Remedy: image-aligned sheets. */
+/* Failure: with sheets along the volume's axes, as printed, pictures jump. Remedy: image-aligned
+ * sheets. */
 static void pictures_jump_with_slices_and_not_with_slabs(void **state)
 {
     (void)state;

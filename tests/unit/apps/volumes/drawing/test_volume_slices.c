@@ -1,5 +1,5 @@
-/* Volumes as planes between their slices: close to the truth of the data from all sides, and the same bits
- * on every device. */
+/* Volumes as planes between their slices: close to the truth of the data from all sides, and the
+ * same bits on every device. */
 #include "apps/volumes/drawing/slices.h"
 #include "tests/support/volume_case.h"
 
@@ -152,7 +152,8 @@ static uint64_t hash_with(const Field *field, bool skips, uint32_t cull, double 
     return hash;
 }
 
-/* Cells that are left out would have added nothing; pixels that are marked opaque, next to nothing. */
+/* Cells that are left out would have added nothing; pixels that are marked opaque, next to
+ * nothing. */
 static void what_is_left_out_does_not_show(void **state)
 {
     (void)state;

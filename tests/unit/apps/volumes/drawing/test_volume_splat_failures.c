@@ -1,5 +1,5 @@
-/* How splatted volumes fail, each failure beside its remedy. Popping is in test_volume_slabs.c, blur in
- * test_volume_after.c and test_volume_flat.c. */
+/* How splatted volumes fail, each failure beside its remedy. Popping is in test_volume_slabs.c,
+ * blur in test_volume_after.c and test_volume_flat.c. */
 #include "tests/support/splatted_volume.h"
 #include "tests/support/unit.h"
 
@@ -18,7 +18,8 @@ static VolumeSplatSetting with_filter(VoxelFilter filter)
 
 /* --- single filters --------------------------------------------------------------------------- */
 
-/* Paper 003's figure 8: a checkerboard of three slices, seen from far and from near. out: by filter */
+/* Paper 003's figure 8: a checkerboard of three slices, seen from far and from near. out: by
+ * filter */
 static void draw_checkerboard(const char *board, double sides, double psnr[VOXEL_FILTERS])
 {
     const VolumeSplatSetting whole = with_filter(VOXEL_EWA);
@@ -81,8 +82,8 @@ static double light_of_a_voxel(VoxelSums sums, double sides)
     return sum;
 }
 
-/* Failure: from far away 8 bits round what a voxel adds to nothing. Remedy: halves, which the adaptive choice
- * takes there; near by, bytes are enough. */
+/* Failure: from far away 8 bits round what a voxel adds to nothing. Remedy: halves, which the
+ * adaptive choice takes there; near by, bytes are enough. */
 static void far_voxels_are_lost_in_8_bits(void **state)
 {
     (void)state;
@@ -99,8 +100,8 @@ static void far_voxels_are_lost_in_8_bits(void **state)
 
 /* --- wide fields of view ---------------------------------------------------------------------- */
 
-/* Failure: at the sides of a wide picture rays meet slices back to front, or hardly at all. Remedy: sheets of
- * equal depth, which all rays meet in one order. */
+/* Failure: at the sides of a wide picture rays meet slices back to front, or hardly at all. Remedy:
+ * sheets of equal depth, which all rays meet in one order. */
 static void wide_views_see_slices_in_the_wrong_order(void **state)
 {
     (void)state;

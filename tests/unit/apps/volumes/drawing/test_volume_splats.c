@@ -98,8 +98,8 @@ static void bits_are_the_same_on_every_device(void **state)
     splatted_close(&volume);
 }
 
-/* Where voxels are kept changes no bit of the picture: places, values and footprints are the same numbers,
- * and squares have room for all that a footprint reaches. */
+/* Where voxels are kept changes no bit of the picture: places, values and footprints are the same
+ * numbers, and squares have room for all that a footprint reaches. */
 static void modes_draw_one_picture(void **state)
 {
     (void)state;

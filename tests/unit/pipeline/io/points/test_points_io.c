@@ -76,7 +76,7 @@ static void small_integers_are_a_normal_where_none_is_above_one(void **state)
     gp_points_free(&points);
 }
 
-/* --- PLY --------------------------------------------------------------------------------------- */
+/* --- PLY -------------------------------------------------------------------------------------- */
 
 typedef struct Property {
     const char *name; /* that of a list begins with '*' */
@@ -224,7 +224,7 @@ static void of_a_mesh_only_its_faces_are_counted(void **state)
     gp_points_free(&points);
 }
 
-/* --- what is wrong ----------------------------------------------------------------------------- */
+/* --- what is wrong ---------------------------------------------------------------------------- */
 
 #define PLY(rows)                                                                                  \
     "ply\nformat ascii 1.0\nelement vertex " rows "\nproperty float x\nproperty float y\n"         \

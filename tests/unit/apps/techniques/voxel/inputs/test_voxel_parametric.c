@@ -74,7 +74,8 @@ static bool touches_sphere(const Reach side[3])
     return all.near <= 1 && all.far >= 1;
 }
 
-/* A torus is round in x and z; what distances from the axis and heights a box has are a box again. */
+/* A torus is round in x and z; what distances from the axis and heights a box has are a box
+ * again. */
 static bool touches_torus(const Reach side[3])
 {
     const Reach round = both(side[0], side[2]);
@@ -103,7 +104,8 @@ static const struct {
     const char *name;
     Touches *touches;
     VoxelBox box;
-    /* at least, of triangles half a voxel off; a small or a large one has legs too short for that */
+    /* at least, of triangles half a voxel off; a small or a large one has legs too short for
+     * that */
     uint64_t lost_by_chords;
 } cases[] = {
     { "sphere", touches_sphere, { 64, 20, { 32, 32, 32 } }, 40 },

@@ -159,7 +159,8 @@ static void closed_solids_are_the_parity_of_centres(void **state)
 
 /* --- how they fail ---------------------------------------------------------------------------- */
 
-/* Voxels between the first and the last that lines along an axis meet; taken away from `between`. */
+/* Voxels between the first and the last that lines along an axis meet; taken away from
+ * `between`. */
 static void keep_between(const uint8_t *met, int axis, bool ends, uint8_t *between)
 {
     const uint32_t step[3] = { 1, N, N * N };
@@ -182,7 +183,8 @@ static void keep_between(const uint8_t *met, int axis, bool ends, uint8_t *betwe
     }
 }
 
-/* What lies between surfaces along all three axes: all that six faces cannot tell from the inside. */
+/* What lies between surfaces along all three axes: all that six faces cannot tell from the
+ * inside. */
 static void find_unseen(const VoxelCase *c, Bounded *unseen)
 {
     static Bounded met;

@@ -1,5 +1,5 @@
-/* How far triangles reach, by the mathematics library's functions; on the borders of voxels and far from
- * any volume. */
+/* How far triangles reach, by the mathematics library's functions; on the borders of voxels and far
+ * from any volume. */
 #include "apps/techniques/voxel/methods/lists.h"
 #include "tests/support/unit.h"
 
@@ -13,8 +13,8 @@ static uint32_t random_bits(uint32_t *state)
     return *state = *state * 1664525 + 1013904223;
 }
 
-/* Triangles of many sizes about quarters of voxels, often with corners at the same place; one of 16 up to 2^60
- * off. */
+/* Triangles of many sizes about quarters of voxels, often with corners at the same place; one of 16
+ * up to 2^60 off. */
 static void make_positions(float *positions, uint32_t *indices)
 {
     static const float parts[] = { 1, 16, 256, 4096, 4112, 1e6f }; /* of a voxel */

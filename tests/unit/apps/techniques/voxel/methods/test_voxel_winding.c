@@ -1,10 +1,11 @@
-/* Solids by the winding number: exact beside every counter's limit, full where parity is hollow, and
- * wrong beyond the limits, each failure beside its remedy. */
+/* Solids by the winding number: exact beside every counter's limit, full where parity is hollow,
+ * and wrong beyond the limits, each failure beside its remedy. */
 #include "apps/truth/voxel_winding.h"
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
 
-/* Corners are snapped to 1/256 of a voxel: nearer to the surface than this, either answer is right. */
+/* Corners are snapped to 1/256 of a voxel: nearer to the surface than this, either answer is
+ * right. */
 static const double margin = 1.0 / 128;
 
 /* --- models ----------------------------------------------------------------------------------- */
