@@ -1,4 +1,5 @@
 /* What a list may take of the executor's memory, before it runs. */
+#include "pipeline/fast/draws/sampler.h"
 #include "pipeline/fast/executor.h"
 
 /* Blocks of an arena double: together they are at most so many times what is taken of them. And
@@ -17,7 +18,8 @@ static uint64_t draw_bytes(const GpDraw *draw)
                              gp_primitive_corners(geometry->primitive) * sizeof(uint32_t);
     const bool spelled_out = geometry->indices16 || geometry->primitive > GP_POINTS;
     return vertices * (sizeof(FastPosition) + stride * sizeof(float)) +
-           (spelled_out ? indices : 0) + sizeof(FastDraw) + (4 << 10);
+           (spelled_out ? indices : 0) + sizeof(FastDraw) +
+           GP_MAX_SAMPLERS * sizeof(struct FastSampler);
 }
 
 /* What the passes of a list need at once, at the most. */

@@ -115,15 +115,14 @@ static bool shades_again(const FastDraw *d)
            !d->needs.clip_planes && inputs > 0 && d->modes.components > inputs;
 }
 
+/* Where nothing is left, ends are 0, not the scissor's, which may be any numbers. */
 static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
 {
     if (!raster->scissor)
         return rect;
-    rect.x0 = rect.x0 > raster->scissor_x0 ? rect.x0 : raster->scissor_x0;
-    rect.y0 = rect.y0 > raster->scissor_y0 ? rect.y0 : raster->scissor_y0;
-    rect.x1 = rect.x1 < raster->scissor_x1 ? rect.x1 : raster->scissor_x1;
-    rect.y1 = rect.y1 < raster->scissor_y1 ? rect.y1 : raster->scissor_y1;
-    return rect;
+    rect = gp_rect_common(rect, (GpRect){ raster->scissor_x0, raster->scissor_y0,
+                                          raster->scissor_x1, raster->scissor_y1 });
+    return gp_rect_is_empty(rect) ? (GpRect){ 0, 0, 0, 0 } : rect;
 }
 
 /* Strips, fans and short indices are spelled out, so that all that follows knows lists alone; false
@@ -189,8 +188,8 @@ static bool copies_words(const FastDraw *d, const GpPixelFacts *facts)
     const GpDraw *draw = d->draw;
     const GpBlend *blend = &draw->state.blend[0];
     const GpSurface *target = d->pass->color[0].surface;
-    if (!facts->copied_slot || d->path != FAST_ORDERED || d->wants_depth || d->late_depth ||
-        d->needs.alpha_test || !target || target->format != GP_A8R8G8B8)
+    if (!facts->copied_slot || d->path != FAST_ORDERED || d->wants_depth || d->needs.alpha_test ||
+        !target)
         return false;
     const GpSurface *from = draw->textures[facts->copied_slot - 1].surface;
     return from->format == GP_A8R8G8B8 && fast_is_bitwise(blend, target->format);
@@ -220,7 +219,8 @@ static bool prepare_vertices(FastArena *arena, FastDraw *d)
         return true;
     }
     size_t room = (size_t)d->vertex_count + FAST_WIDEST; /* whole packets are stored */
-    d->block_count = (d->vertex_count + FAST_VERTEX_BLOCK - 1) / FAST_VERTEX_BLOCK;
+    d->block_count =
+        d->vertex_count / FAST_VERTEX_BLOCK + (d->vertex_count % FAST_VERTEX_BLOCK != 0);
     d->positions = fast_arena_take(arena, room * sizeof *d->positions);
     if (!d->shades_again)
         d->varyings = fast_arena_take(arena, room * d->stride * sizeof(float));
@@ -318,7 +318,7 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
 
 /* --- passes and groups ------------------------------------------------------------------------ */
 
-/* Of one group: what it takes to keep them is then little, too. */
+/* Draws of a pass, and passes of a group. */
 enum { MOST_DRAWS = 4096, MOST_PASSES = 1024 };
 
 /* Few ranges make full batches of triangles; each thread should have some. */
@@ -392,6 +392,7 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, const FastGrou
     p->draws = fast_arena_take(&fast->arena, most * sizeof *p->draws);
     if (!p->draws)
         return false;
+    fast->vertex_bytes += most * sizeof *p->draws;
     while (p->draw_count < most && (p->draw_count == 0 || sorts ||
                                     (has_room(fast) && has_numbers(p, &pass->draws[at->draw])))) {
         gp_prefetch_draws(pass, at->draw);

@@ -142,12 +142,14 @@ static void part_ranges(const Job *job)
 }
 
 /* After a round that was short of memory: all of it for the rest of the first range that was not
- * binned whole, and for those after it. */
-static void forget_bins(GpFast *fast, uint32_t stop)
+ * binned whole, and for those after it.
+ * in   count: ranges of the group; those behind it are left of earlier ones */
+static void forget_bins(GpFast *fast, uint32_t stop, uint32_t count)
 {
     for (uint32_t i = 0; i < fast->range_room; i++) {
         FastRange *range = &fast->ranges[i];
-        if (i > stop && range->reached == range->end)
+        const bool is_binned = i > stop && i < count && range->reached == range->end;
+        if (is_binned)
             continue;
         if (i == stop)
             range->first = range->reached;
@@ -182,7 +184,7 @@ static bool run_rounds(Job *job, GpCounters *counters, GpPhases *phases)
             return true;
         if (!job->again)
             part_ranges(job);
-        forget_bins(job->fast, stop);
+        forget_bins(job->fast, stop, count);
         job->first_range = stop;
         job->again = true;
     }

@@ -65,14 +65,16 @@ void gp_read_texture_plain(const GpShaderCall *call, const GpTextureRead *read)
 void gp_read_local_plain(const GpShaderCall *call, int slot, int packet, int lanes, float *texel)
 {
     const GpSurface *surface = call->textures[slot].surface;
+    const GpRect *there = &surface->window;
     const float *x = call->pixel + packet * 2 * lanes, *y = x + lanes;
     for (int lane = 0; lane < lanes; lane++) {
         float rgba[4] = { 0, 0, 0, 0 };
-        uint32_t column = (uint32_t)x[lane], row = (uint32_t)y[lane];
-        if (column < surface->width && row < surface->height)
+        const int32_t column = (int32_t)x[lane], row = (int32_t)y[lane];
+        if (column >= there->x0 && column < there->x1 && row >= there->y0 && row < there->y1)
             gp_texel_load(surface->format,
                           gp_surface_texel(&surface->level[0],
-                                           gp_format_info(surface->format)->bytes, column, row),
+                                           gp_format_info(surface->format)->bytes, (uint32_t)column,
+                                           (uint32_t)row),
                           rgba);
         for (int c = 0; c < 4; c++)
             texel[c * lanes + lane] = rgba[c];

@@ -104,9 +104,16 @@ uint64_t hash_targets(const GpList *list)
     return hash;
 }
 
-static size_t level_bytes(const GpLevel *level)
+/* The texels that there are of level 0. */
+static uint8_t *first_texel(const GpSurface *surface)
 {
-    return level->pitch * level->height;
+    return gp_surface_texel(&surface->level[0], gp_format_info(surface->format)->bytes,
+                            (uint32_t)surface->window.x0, (uint32_t)surface->window.y0);
+}
+
+static size_t texel_bytes(const GpSurface *surface)
+{
+    return surface->level[0].pitch * (size_t)(surface->window.y1 - surface->window.y0);
 }
 
 /* What a list draws into, each once. */
@@ -121,10 +128,9 @@ static void add_target(Targets *targets, const GpSurface *surface)
     for (size_t i = 0; i < targets->count; i++)
         if (targets->surface[i] == surface)
             return;
-    const GpLevel *level = &surface->level[0];
-    uint8_t *before = gp_alloc(level_bytes(level), 1);
+    uint8_t *before = gp_alloc(texel_bytes(surface), 1);
     assert_true(targets->count < GP_COUNT(targets->surface) && before && surface->levels == 1);
-    memcpy(before, level->texels, level_bytes(level));
+    memcpy(before, first_texel(surface), texel_bytes(surface));
     targets->before[targets->count] = before;
     targets->surface[targets->count++] = surface;
 }
@@ -146,10 +152,9 @@ void run_list_everywhere(const GpList *list, const char *what)
     uint64_t first = 0;
     find_targets(list, &targets);
     for (size_t d = 0; device_here(d); d++) {
-        for (size_t i = 0; i < targets.count; i++) {
-            const GpLevel *level = &targets.surface[i]->level[0];
-            memcpy(level->texels, targets.before[i], level_bytes(level));
-        }
+        for (size_t i = 0; i < targets.count; i++)
+            memcpy(first_texel(targets.surface[i]), targets.before[i],
+                   texel_bytes(targets.surface[i]));
         run_list_on(device_here(d), list);
         const uint64_t hash = hash_targets(list);
         first = d == 0 ? hash : first;

@@ -86,7 +86,9 @@ static void clear_part(const GpPass *pass, const FastBox *box, bool non_temporal
 FastBox fast_clear_part(const GpPass *pass, uint32_t i, const FastBox *box)
 {
     const GpRect within = { box->x0, box->y0, box->x1 + 1, box->y1 + 1 };
-    const GpRect part = gp_rect_common(gp_pass_clear_part(pass, i), within);
+    GpRect part = gp_rect_common(gp_pass_clear_part(pass, i), within);
+    if (gp_rect_is_empty(part)) /* its ends may be any numbers */
+        part = (GpRect){ 0, 0, 0, 0 };
     return (FastBox){ part.x0, part.y0, part.x1 - 1, part.y1 - 1 };
 }
 

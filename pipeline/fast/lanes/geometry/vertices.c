@@ -56,7 +56,9 @@ static Codes load_codes(const GpStream *stream, const uint32_t vertex[GP_LANES])
     const size_t size = stream->components * gp_component_bytes(stream->type);
     uint32_t word[2][GP_LANES] = { { 0 } };
     Codes codes = { { { 0 } } };
-    if (size == sizeof word[0][0]) { /* colours: one load each, which end where the stream does */
+    const size_t span = (vertex[GP_LANES - 1] - vertex[0]) * stride;
+    if (size == sizeof word[0][0] && span <= INT32_MAX) {
+        /* colours: one load each, which end where the stream does */
         itg from_first;
         memcpy(&from_first, vertex, sizeof from_first);
         from_first -= (int32_t)vertex[0];

@@ -265,6 +265,16 @@ static void settle_occluder(Tile *tile)
     v->occluder = FAST_NO_RECORD;
 }
 
+/* The draw of a record. Later ones may have begun their runs, and left no record in them. */
+static const FastDraw *draw_of(const Tile *tile, uint32_t record)
+{
+    const FastVisibility *v = tile->visibility;
+    uint32_t run = v->run_count - 1;
+    while (v->runs[run].first_record > record)
+        run--;
+    return &tile->pass->draws[v->runs[run].draw];
+}
+
 /* Where nothing came after the full-tile occluder, the tile is one layer of it, and nobody looks at
  * its records: textured fills take 11 % less. Shaders that look at their neighbours want quads,
  * which layers have not.
@@ -274,7 +284,7 @@ static bool shade_occluder(Tile *tile)
     const FastVisibility *v = tile->visibility;
     if (v->occluder == FAST_NO_RECORD || v->occluder + 1 != tile->records->count)
         return false;
-    const FastDraw *d = &tile->pass->draws[v->runs[v->run_count - 1].draw], *before = tile->draw;
+    const FastDraw *d = draw_of(tile, v->occluder), *before = tile->draw;
     if (d->needs.quads)
         return false;
     tile->draw = d;

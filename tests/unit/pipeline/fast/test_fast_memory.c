@@ -4,6 +4,8 @@
 #include "pipeline/fast/draws/draw.h"
 #include "pipeline/fast/fast.h"
 #include "shaders_c/materials/unlit.h"
+#include "tests/shaders/exercise.h"
+#include "tests/support/devices.h"
 #include "tests/support/lists/random_order.h"
 #include "tests/support/lists/random_repeats.h"
 #include "tests/support/limited.h"
@@ -13,6 +15,7 @@
 
 #include <malloc.h>
 #include <stdio.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 enum { SEEDS = 150, SIZE = 150, LANES = 4 /* always compiled */ };
@@ -168,6 +171,40 @@ static void memory_is_told_of_as_many_threads_as_have_tiles(void **state)
     assert_int_equal(predicted_of_clear(1, 1, 8), predicted_of_clear(1, 1, 1));
 }
 
+/* Vertices of one packet whose colours lie gigabytes apart. */
+static void strides_may_be_as_long_as_memory(void **state)
+{
+    (void)state;
+    enum { FEW = 18 };
+    const size_t stride = (size_t)1 << 30, bytes = FEW * stride;
+    uint8_t *colors = mmap(NULL, bytes, PROT_READ | PROT_WRITE,
+                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (colors == MAP_FAILED)
+        skip();
+    float corners[FEW][4] = { { 0 } };
+    for (size_t i = 0; i < FEW; i++) {
+        corners[i][0] = (float)(i % 6) / 3 - 1;
+        corners[i][1] = i % 3 == 1 ? 1.0f : -0.5f + (float)i / FEW;
+        corners[i][3] = 1;
+        memset(colors + i * stride, (int)(40 + 10 * i), 4);
+    }
+    GpSurface *surface = NULL;
+    const GpSurfaceDesc desc = { .format = GP_A8R8G8B8, .width = SIZE, .height = SIZE };
+    assert_int_equal(gp_surface_create(&desc, &surface, NULL), GP_OK);
+    ExerciseUniforms uniforms = { .color = { 1, 1, 1, 1 } };
+    for (int i = 0; i < 4; i++)
+        uniforms.matrix[i][i] = 1;
+    GpDraw draw = { .program = &exercise_color, .uniforms = &uniforms };
+    draw.geometry.vertex_count = FEW;
+    draw.geometry.streams[GP_POSITION] = (GpStream){ corners[0], 0, 4, GP_FLOAT32 };
+    draw.geometry.streams[GP_COLOR] = (GpStream){ colors, (uint32_t)stride, 4, GP_D3DCOLOR };
+    draw.geometry.streams[GP_TEXCOORD0] = (GpStream){ corners[0], 16, 2, GP_FLOAT32 };
+    const GpPass pass = { .color = { { surface, true, { 0 } } }, .draws = &draw, .draw_count = 1 };
+    run_list_everywhere(&(GpList){ &pass, 1 }, "vertices that lie far apart");
+    gp_surface_destroy(&surface);
+    munmap(colors, bytes);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -175,6 +212,7 @@ int main(void)
         cmocka_unit_test(lists_take_no_more_than_is_predicted),
         cmocka_unit_test(memory_of_a_large_draw_is_predicted_and_said),
         cmocka_unit_test(memory_is_told_of_as_many_threads_as_have_tiles),
+        cmocka_unit_test(strides_may_be_as_long_as_memory),
     };
     return cmocka_run_group_tests_name("fast memory", tests, NULL, NULL);
 }
