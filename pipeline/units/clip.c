@@ -10,9 +10,10 @@
 static const float band_low = -32704.0f, band_high = 32704.0f, margin = 64.0f;
 
 /* A picture that is drawn by windows may end where the range does: it has a margin of its own. */
-static float high_end(float side)
+static float high_end(float end)
 {
-    return side + margin > band_high ? side + margin : band_high;
+    const float within = end < GP_MAX_WHOLE ? end : GP_MAX_WHOLE;
+    return within + margin > band_high ? within + margin : band_high;
 }
 
 GpGuardBand gp_guard_band(const GpViewport *viewport)
@@ -20,8 +21,8 @@ GpGuardBand gp_guard_band(const GpViewport *viewport)
     float x = viewport->x, y = viewport->y, width = viewport->width, height = viewport->height;
     return (GpGuardBand){
         .left = (band_low - x) * 2.0f / width - 1.0f,
-        .right = (high_end(width) - x) * 2.0f / width - 1.0f,
-        .bottom = 1.0f - (high_end(height) - y) * 2.0f / height,
+        .right = (high_end(x + width) - x) * 2.0f / width - 1.0f,
+        .bottom = 1.0f - (high_end(y + height) - y) * 2.0f / height,
         .top = 1.0f - (band_low - y) * 2.0f / height,
     };
 }
@@ -54,6 +55,12 @@ static bool is_number(const float clip[4])
 static double along(double t, double from, double to)
 {
     return from + t * (to - from);
+}
+
+/* Room for one more corner; false where there is none, as a convex polygon has it. */
+static bool has_room(const GpClipPolygon *polygon)
+{
+    return polygon->corners < GP_MAX_CLIPPED;
 }
 
 /* Adds the corner where the edge from `inside` to `outside` meets a plane. In binary64, for what is
@@ -132,7 +139,9 @@ static void finish_corner(const GpGuardBand *band, const GpVertex *const triangl
     settle_corner(band, corner->clip);
 }
 
-static void cut_polygon(const GpGuardBand *band, int plane, const GpClipPolygon *before,
+/* Returns false where the polygon has more corners than a convex one: rounding may bend a triangle
+ * without width, whose corners are of most different sizes, so that planes cut it in four places. */
+static bool cut_polygon(const GpGuardBand *band, int plane, const GpClipPolygon *before,
                         GpClipPolygon *after)
 {
     after->corners = 0;
@@ -141,15 +150,20 @@ static void cut_polygon(const GpGuardBand *band, int plane, const GpClipPolygon 
         float distance = plane_distance(band, plane, before->corner[i].clip);
         float next_distance = plane_distance(band, plane, before->corner[next].clip);
         bool inside = distance >= 0, next_inside = next_distance >= 0;
+        if (inside && !has_room(after))
+            return false;
         if (inside) {
             after->corner[after->corners] = before->corner[i];
             memcpy(after->share[after->corners++], before->share[i], sizeof before->share[i]);
         }
+        if (inside != next_inside && !has_room(after))
+            return false;
         if (inside && !next_inside)
             cut_edge(before, i, distance, next, next_distance, after);
         if (!inside && next_inside)
             cut_edge(before, next, next_distance, i, distance, after);
     }
+    return true;
 }
 
 void gp_clip_triangle(const GpGuardBand *band, const GpVertex *const triangle[3],
@@ -180,7 +194,8 @@ void gp_clip_triangle(const GpGuardBand *band, const GpVertex *const triangle[3]
     for (int i = 0; i < GP_CLIP_PLANES && polygon->corners; i++)
         if (polygon->planes >> plane_order[i] & 1) {
             GpClipPolygon before = *polygon;
-            cut_polygon(band, plane_order[i], &before, polygon);
+            if (!cut_polygon(band, plane_order[i], &before, polygon))
+                polygon->corners = 0;
             polygon->cut = true;
         }
 

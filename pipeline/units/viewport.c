@@ -13,6 +13,8 @@ GpViewport gp_viewport_resolve(const GpViewport *viewport, uint32_t width, uint3
     }
     if (v.min_depth == 0 && v.max_depth == 0 && !v.has_depth_range)
         v.max_depth = 1;
+    v.min_depth += 0.0f; /* -0 is 0 */
+    v.max_depth += 0.0f;
     if (v.d3d9_centers) {
         v.x += 0.5f;
         v.y += 0.5f;

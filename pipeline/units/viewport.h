@@ -19,8 +19,10 @@ void gp_viewport_place(const GpViewport *viewport, const float clip[4], float pl
  * and for pictures that reach its end, as only those do that are drawn by windows, some more. */
 static inline float gp_viewport_range(const GpViewport *viewport)
 {
-    const float side = viewport->width > viewport->height ? viewport->width : viewport->height;
-    return side > 32640.0f ? side + 128.0f : 32768.0f;
+    const float right = viewport->x + viewport->width, bottom = viewport->y + viewport->height;
+    const float end = right > bottom ? right : bottom;
+    const float within = end < GP_MAX_WHOLE ? end : GP_MAX_WHOLE;
+    return within > 32640.0f ? within + 128.0f : 32768.0f;
 }
 
 /* One clip-space vertex to the screen.

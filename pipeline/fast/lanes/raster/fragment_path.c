@@ -21,8 +21,8 @@ Filler fast_filler(Tile *tile)
     return (Filler){ .tile = tile,
                      .d = d,
                      .early = early_test(tile, d),
-                     .low = d->viewport.min_depth + 0.0f,
-                     .high = d->viewport.max_depth + 0.0f,
+                     .low = d->viewport.min_depth,
+                     .high = d->viewport.max_depth,
                      .scale = tile->depth_format == GP_D16 ? 65535.0 : 16777215.0,
                      .allowance = d->draw->state.depth.test == GP_LESS_EQUAL,
                      .writes = d->draw->state.depth.write && !d->late_depth };

@@ -91,6 +91,19 @@ static void r10_not_a_number_discards_the_triangle(void **state)
         }
 }
 
+/* A part of a picture that is larger than a surface: the band ends where the picture does. */
+static void r03_a_viewport_at_the_end_of_a_large_picture_is_reached(void **state)
+{
+    (void)state;
+    const GpViewport part = gp_viewport_resolve(
+        &(GpViewport){ .x = 16384, .y = 100, .width = 16384, .height = 28 }, 32768, 128);
+    const GpGuardBand band = gp_guard_band(&part);
+    assert_true(band.left < -1 && band.right > 1 && band.bottom < -1 && band.top > 1);
+    GpScreenVertex s;
+    assert_true(gp_viewport_position(&part, (const float[4]){ 1, 0, 0.5f, 1 }, &s));
+    assert_int_equal(s.x, 32768 * 256);
+}
+
 static void r10_only_positive_w_survives(void **state)
 {
     (void)state;
@@ -125,6 +138,26 @@ static void infinite_positions_leave_nothing_or_finite_corners(void **state)
 }
 
 /* Two triangles on the two sides of an edge, in both directions, get the same new corners. */
+/* Corners of most different sizes: rounding bends the triangle, which has no width to speak of, so
+ * that planes cut it in four places, and it would have more corners than there is room for. */
+static void what_rounding_bends_too_far_leaves_nothing(void **state)
+{
+    (void)state;
+    const GpGuardBand band = band_of(512, 512);
+    const GpVertex v[3] = {
+        vertex_at(0x1.9da5fcp-24f, -0x1.ee8888p-24f, 0x1.f3690ep-32f, 0x1.f3690ep-31f),
+        vertex_at(0x1.82f986p-18f, -0.0f, -0x1.1f657ep-26f, -0x1.80b872p-25f),
+        vertex_at(-0x1.be635ep40f, -0x1.db870ep-46f, 0x1.22e936p42f, -0x1.f83212p46f),
+    };
+    for (int first = 0; first < 3; first++) {
+        const GpVertex turned[3] = { v[first], v[(first + 1) % 3], v[(first + 2) % 3] };
+        const GpClipPolygon polygon = clip(&band, turned, 0);
+        assert_in_range(polygon.corners, 0, GP_MAX_CLIPPED);
+        assert_true(polygon.cut);
+    }
+    assert_int_equal(clip(&band, v, 0).corners, 0);
+}
+
 static void shared_edges_are_cut_at_the_same_point(void **state)
 {
     (void)state;
@@ -237,8 +270,10 @@ int main(void)
         cmocka_unit_test(r03_nothing_that_is_left_leaves_the_fixed_point_range),
         cmocka_unit_test(near_and_far_planes_cut_where_z_is_0_and_w),
         cmocka_unit_test(r10_not_a_number_discards_the_triangle),
+        cmocka_unit_test(r03_a_viewport_at_the_end_of_a_large_picture_is_reached),
         cmocka_unit_test(r10_only_positive_w_survives),
         cmocka_unit_test(infinite_positions_leave_nothing_or_finite_corners),
+        cmocka_unit_test(what_rounding_bends_too_far_leaves_nothing),
         cmocka_unit_test(shared_edges_are_cut_at_the_same_point),
         cmocka_unit_test(flat_values_survive_the_loss_of_the_first_corner),
         cmocka_unit_test(varyings_stay_affine_in_clip_space),
