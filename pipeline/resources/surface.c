@@ -182,29 +182,39 @@ void gp_surface_destroy(GpSurface **surface)
 
 /* --- shared memory ---------------------------------------------------------------------------- */
 
-static size_t row_bytes(const GpSurface *surface, const GpLevel *level)
+/* The memory that a level's texels take, as far as there are any. */
+typedef struct Rows {
+    uintptr_t first;
+    size_t bytes, pitch, count; /* of a row, from row to row, how many */
+} Rows;
+
+static Rows rows_of(const GpSurface *surface, uint32_t number)
 {
-    return (size_t)level->width * gp_format_info(surface->format)->bytes;
+    const GpLevel *level = &surface->level[number];
+    const GpRect whole = { 0, 0, (int32_t)level->width, (int32_t)level->height };
+    const GpRect *there = number ? &whole : &surface->window;
+    return (Rows){ .first = (uintptr_t)level->texels + (number ? 0 : window_offset(surface, level)),
+                   .bytes =
+                       (size_t)(there->x1 - there->x0) * gp_format_info(surface->format)->bytes,
+                   .pitch = level->pitch,
+                   .count = (size_t)(there->y1 - there->y0) };
 }
 
 /* Rows of one pitch, the first of them not after the second's: whether bytes of theirs meet. */
-static bool rows_meet(const GpLevel *a, size_t a_row, const GpLevel *b, size_t b_row)
+static bool rows_meet(const Rows *a, const Rows *b)
 {
-    const size_t ahead = (size_t)((uintptr_t)b->texels - (uintptr_t)a->texels);
-    const size_t rows = ahead / a->pitch, column = ahead % a->pitch;
-    const size_t past = column + b_row > a->pitch ? column + b_row - a->pitch : 0;
-    return (rows < a->height && column < a_row) || (past && rows + 1 < a->height);
+    const size_t rows = (b->first - a->first) / a->pitch, column = (b->first - a->first) % a->pitch;
+    const size_t past = column + b->bytes > a->pitch ? column + b->bytes - a->pitch : 0;
+    return (rows < a->count && column < a->bytes) || (past && rows + 1 < a->count);
 }
 
-static bool levels_share(const GpSurface *a, const GpLevel *la, const GpSurface *b,
-                         const GpLevel *lb)
+static bool rows_share(const Rows *a, const Rows *b)
 {
-    if ((uintptr_t)la->texels > (uintptr_t)lb->texels)
-        return levels_share(b, lb, a, la);
-    const size_t a_row = row_bytes(a, la), b_row = row_bytes(b, lb);
-    if (la->pitch == lb->pitch)
-        return rows_meet(la, a_row, lb, b_row);
-    return (uintptr_t)lb->texels - (uintptr_t)la->texels < (la->height - 1) * la->pitch + a_row;
+    if (a->first > b->first)
+        return rows_share(b, a);
+    if (a->pitch == b->pitch)
+        return rows_meet(a, b);
+    return b->first - a->first < (a->count - 1) * a->pitch + a->bytes;
 }
 
 bool gp_surfaces_share(const GpSurface *a, const GpSurface *b)
@@ -214,9 +224,11 @@ bool gp_surfaces_share(const GpSurface *a, const GpSurface *b)
     if (!a || !b || !(a->borrowed || b->borrowed))
         return false;
     for (uint32_t i = 0; i < a->levels; i++)
-        for (uint32_t j = 0; j < b->levels; j++)
-            if (levels_share(a, &a->level[i], b, &b->level[j]))
+        for (uint32_t j = 0; j < b->levels; j++) {
+            const Rows one = rows_of(a, i), other = rows_of(b, j);
+            if (rows_share(&one, &other))
                 return true;
+        }
     return false;
 }
 

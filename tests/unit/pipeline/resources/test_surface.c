@@ -305,6 +305,29 @@ static void surfaces_share_where_a_texel_of_one_is_a_texel_of_the_other(void **s
     assert_false(gp_surfaces_share(own, s[0]));
     assert_false(gp_surfaces_share(own, NULL));
     gp_surface_destroy(&own);
+
+    /* of a window there is less than its sides say, and that elsewhere */
+    GpSurface *window = NULL;
+    const GpSurfaceDesc desc = {
+        .format = GP_A8R8G8B8, .width = 1024, .height = 1024, .window = { 896, 896, 1024, 1024 }
+    };
+    assert_int_equal(gp_surface_create(&desc, &window, NULL), GP_OK);
+    const GpLevel *level = &window->level[0];
+    for (int i = 0; i < 4; i++) {
+        uint8_t *texels = i < 3 ? gp_surface_texel(level, 4, 896, 896) + i * 128 * 128 * 4 - 65536
+                                : level->texels;
+        GpSurface *beside = NULL;
+        assert_int_equal(gp_surface_create(&(GpSurfaceDesc){ .format = GP_A8R8G8B8,
+                                                             .width = 128,
+                                                             .height = 128,
+                                                             .memory = texels },
+                                           &beside, NULL),
+                         GP_OK);
+        assert_int_equal(gp_surfaces_share(window, beside), i == 1);
+        assert_int_equal(gp_surfaces_share(beside, window), i == 1);
+        gp_surface_destroy(&beside);
+    }
+    gp_surface_destroy(&window);
     for (int i = 0; i < WINDOWS; i++)
         gp_surface_destroy(&s[i]);
 }
