@@ -68,7 +68,7 @@ GP_INLINE itg lane_row(int32_t wide)
     return lane_numbers() * reciprocal[wide] >> 8;
 }
 
-/* Of each lane, from the packet's first pixel; `wide` as in FastPatch. Most are whole rows. */
+/* Of each lane, from the packet's first pixel; `wide` as in FastPacket. Most are whole rows. */
 GP_INLINE itg packet_columns(int32_t wide)
 {
     if (!wide || wide == GP_LANES)

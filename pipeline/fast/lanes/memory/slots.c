@@ -116,8 +116,9 @@ void fast_hold_color(Tile *tile, int slot)
     tile->slots->color[slot].sums = NULL;
 }
 
-static void hold_sums(Tile *tile, int slot, float (*pixel)[4])
+static void hold_sums(Tile *tile, int slot, int target)
 {
+    float(*const pixel)[4] = tile->sums->pixel[target];
     if (tile->slots->color[slot].sums == pixel)
         return;
     for (int other = 0; other < FAST_COLOR_SLOTS; other++)
@@ -125,10 +126,12 @@ static void hold_sums(Tile *tile, int slot, float (*pixel)[4])
             fast_hold_color(tile, other);
     if (tile->slots->color[slot].cleared) {
         fast_fill_sums(tile, tile->slots->color[slot].value, pixel);
+        tile->sums->odd[target] = false;
         tile->slots->color[slot].cleared = false;
     } else {
         fast_hold_color(tile, slot);
-        fast_planes_to_sums(tile, &tile->slots->color_planes[slot], channels_of(tile, slot), pixel);
+        tile->sums->odd[target] = fast_planes_to_sums(tile, &tile->slots->color_planes[slot],
+                                                      channels_of(tile, slot), pixel);
     }
     tile->slots->color[slot].sums = pixel;
 }
@@ -139,7 +142,7 @@ void fast_hold_targets(Tile *tile, int count, bool as_sums)
         const GpSurface *surface = tile->pass->pass->color[t].surface;
         const int slot = fast_color_slot(tile->slots->surfaces, surface);
         if (as_sums)
-            hold_sums(tile, slot, tile->sums->pixel[t]);
+            hold_sums(tile, slot, t);
         else
             fast_hold_color(tile, slot);
     }

@@ -1,16 +1,24 @@
 #include "pipeline/fast/lanes/memory/sums.h"
 
-GP_INLINE void to_sums(const Tile *tile, const FastPlanes *planes, int channels, float (*pixel)[4])
+#include "pipeline/fast/lanes/memory/convert.h"
+
+GP_INLINE bool to_sums(const Tile *tile, const FastPlanes *planes, int channels, float (*pixel)[4])
 {
+    msk odd = itg_set(0);
     for (int32_t y = 0; y < tile->height; y++)
         for (int32_t x = 0; x < tile->width; x += GP_LANES) {
             const uint32_t at = fast_at(x, y);
-            itg channel[4];
+            itg channel[4] = { itg_set(0), itg_set(0), itg_set(0), itg_set(0) };
             GP_UNROLL
-            for (int c = 0; c < 4; c++)
-                channel[c] = c < channels ? (itg)flt_load(planes->channel[c] + at) : itg_set(0);
+            for (int c = 0; c < channels; c++) {
+                const itg held = (itg)flt_load(planes->channel[c] + at);
+                const msk is_odd = is_odd_nan(held);
+                channel[c] = itg_select(is_odd, itg_set(ODD_NAN), held);
+                odd |= is_odd;
+            }
             lanes_store4_row(pixel[at], channel);
         }
+    return msk_any(odd);
 }
 
 GP_INLINE void to_planes(const Tile *tile, const float (*pixel)[4], int channels,
@@ -22,19 +30,19 @@ GP_INLINE void to_planes(const Tile *tile, const float (*pixel)[4], int channels
             itg channel[4];
             lanes_load4_row(pixel[at], channel);
             GP_UNROLL
-            for (int c = 0; c < 4; c++)
-                if (c < channels)
-                    flt_store(planes->channel[c] + at, (flt)channel[c]);
+            for (int c = 0; c < channels; c++) {
+                const itg held = (itg)flt_load(planes->channel[c] + at);
+                const msk stays = (msk)(channel[c] == ODD_NAN);
+                flt_store(planes->channel[c] + at,
+                          (flt)itg_select(stays, held, canonical(channel[c])));
+            }
         }
 }
 
-void fast_planes_to_sums(const Tile *tile, const FastPlanes *planes, int channels,
+bool fast_planes_to_sums(const Tile *tile, const FastPlanes *planes, int channels,
                          float (*pixel)[4])
 {
-    if (channels == 4)
-        to_sums(tile, planes, 4, pixel);
-    else
-        to_sums(tile, planes, channels, pixel);
+    return channels == 4 ? to_sums(tile, planes, 4, pixel) : to_sums(tile, planes, channels, pixel);
 }
 
 void fast_sums_to_planes(const Tile *tile, const float (*pixel)[4], int channels,

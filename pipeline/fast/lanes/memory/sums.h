@@ -13,10 +13,12 @@
 /* For each target of the pass at work; whose pixels they hold, the slots know. */
 typedef struct FastSums {
     _Alignas(64) float pixel[GP_MAX_TARGETS][FAST_PIXELS][4];
+    bool odd[GP_MAX_TARGETS]; /* some are ODD_NAN: planes have what is to stay there */
 } FastSums;
 
-/* From planes of so many channels, and back; the other channels are 0, and go nowhere. */
-void fast_planes_to_sums(const Tile *tile, const FastPlanes *planes, int channels,
+/* From planes of so many channels, and back; the other channels are 0, and go nowhere.
+ * returns whether some are ODD_NAN */
+bool fast_planes_to_sums(const Tile *tile, const FastPlanes *planes, int channels,
                          float (*pixel)[4]);
 void fast_sums_to_planes(const Tile *tile, const float (*pixel)[4], int channels,
                          FastPlanes *planes);

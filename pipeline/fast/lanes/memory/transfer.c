@@ -1,4 +1,5 @@
-/* Texels and planes. Planes hold what reading the stored texel gives, so storing never rounds. */
+/* Texels and planes. Planes hold what reading the stored texel gives, so storing never rounds; of a
+ * caller's odd NaNs their bits, or of halves a mark that the texel stays. */
 #include "pipeline/fast/lanes/memory/transfer.h"
 
 #include "pipeline/fast/lanes/memory/convert.h"
@@ -51,11 +52,29 @@ GP_INLINE void store_bytes(void *to, itg words)
     memcpy(to, &bytes, sizeof bytes);
 }
 
-/* --- numbers ---------------------------------------------------------------------------------- */
+/* --- halves ----------------------------------------------------------------------------------- */
 
-GP_INLINE itg canonical(itg bits)
+GP_INLINE itg held_half(itg half)
 {
-    return itg_select((itg)((bits & 0x7fffffff) > 0x7f800000), itg_set(0x7fc00000), bits);
+    const msk odd = (msk)((half & 0x7fff) > 0x7c00) & (msk)(half != 0x7e00);
+    return itg_select(odd, itg_set(ODD_NAN), float_from_half(half));
+}
+
+/* Two channels in a word, and which bits of the texel's stay instead. */
+typedef struct Halves {
+    itg word, kept;
+} Halves;
+
+GP_INLINE Halves halves_of(const float *low, const float *high)
+{
+    const itg a = load_words(low), b = load_words(high);
+    return (Halves){ half_from_float(a) | half_from_float(b) << 16,
+                     ((itg)(a == ODD_NAN) & 0xffff) | (itg)(b == ODD_NAN) << 16 };
+}
+
+GP_INLINE itg over_texel(Halves halves, itg stored)
+{
+    return (halves.word & ~halves.kept) | (stored & halves.kept);
 }
 
 /* --- GP_LANES texels -------------------------------------------------------------------------- */
@@ -75,18 +94,18 @@ GP_INLINE void load_color(GpFormat format, const uint8_t *texel, FastPlanes *pla
         break;
     case GP_G16R16F:
         v[0] = load_words(texel);
-        store_words(channel[0], float_from_half(v[0] & 0xffff));
-        store_words(channel[1], float_from_half((itg)((utg)v[0] >> 16)));
+        store_words(channel[0], held_half(v[0] & 0xffff));
+        store_words(channel[1], held_half((itg)((utg)v[0] >> 16)));
         break;
     case GP_A16B16G16R16F:
         v[0] = load_words(texel);
         v[1] = load_words(texel + sizeof(itg));
         v[2] = itg_evens(v[0], v[1]);
         v[3] = itg_odds(v[0], v[1]);
-        store_words(channel[0], float_from_half(v[2] & 0xffff));
-        store_words(channel[1], float_from_half((itg)((utg)v[2] >> 16)));
-        store_words(channel[2], float_from_half(v[3] & 0xffff));
-        store_words(channel[3], float_from_half((itg)((utg)v[3] >> 16)));
+        store_words(channel[0], held_half(v[2] & 0xffff));
+        store_words(channel[1], held_half((itg)((utg)v[2] >> 16)));
+        store_words(channel[2], held_half(v[3] & 0xffff));
+        store_words(channel[3], held_half((itg)((utg)v[3] >> 16)));
         break;
     case GP_R32F:
         store_words(channel[0], load_words(texel));
@@ -117,7 +136,8 @@ GP_INLINE void store_color(GpFormat format, uint8_t *texel, const FastPlanes *pl
 {
     const float *const channel[4] = { planes->channel[0] + at, planes->channel[1] + at,
                                       planes->channel[2] + at, planes->channel[3] + at };
-    itg rg, ba, v[4];
+    Halves rg, ba;
+    itg v[4];
     switch (format) {
     case GP_A8R8G8B8:
     case GP_X8R8G8B8:
@@ -127,25 +147,28 @@ GP_INLINE void store_color(GpFormat format, uint8_t *texel, const FastPlanes *pl
         store_bytes(texel, itg_from_flt(flt_load(channel[0]) * 255.0f + 0.5f));
         break;
     case GP_G16R16F:
-        rg = half_from_float(load_words(channel[0])) | half_from_float(load_words(channel[1]))
-                                                           << 16;
-        put_words(texel, rg, non_temporal);
+        rg = halves_of(channel[0], channel[1]);
+        put_words(texel, over_texel(rg, load_words(texel)), non_temporal);
         break;
     case GP_A16B16G16R16F:
-        rg = half_from_float(load_words(channel[0])) | half_from_float(load_words(channel[1]))
-                                                           << 16;
-        ba = half_from_float(load_words(channel[2])) | half_from_float(load_words(channel[3]))
-                                                           << 16;
-        put_words(texel, itg_zip_low(rg, ba), non_temporal);
-        put_words(texel + sizeof(itg), itg_zip_high(rg, ba), non_temporal);
+        rg = halves_of(channel[0], channel[1]);
+        ba = halves_of(channel[2], channel[3]);
+        if (msk_any((msk)((rg.kept | ba.kept) != 0))) {
+            v[0] = load_words(texel);
+            v[1] = load_words(texel + sizeof(itg));
+            rg.word = over_texel(rg, itg_evens(v[0], v[1]));
+            ba.word = over_texel(ba, itg_odds(v[0], v[1]));
+        }
+        put_words(texel, itg_zip_low(rg.word, ba.word), non_temporal);
+        put_words(texel + sizeof(itg), itg_zip_high(rg.word, ba.word), non_temporal);
         break;
     case GP_R32F:
-        put_words(texel, canonical(load_words(channel[0])), non_temporal);
+        put_words(texel, load_words(channel[0]), non_temporal);
         break;
     default: /* GP_A32B32G32R32F */
         GP_UNROLL
         for (int c = 0; c < 4; c++)
-            v[c] = canonical(load_words(channel[c]));
+            v[c] = load_words(channel[c]);
         GP_UNROLL
         for (int half = 0; half < 2; half++) {
             itg low = half ? itg_zip_high(v[0], v[2]) : itg_zip_low(v[0], v[2]);
@@ -231,13 +254,14 @@ void fast_store_tile(const Tile *tile, const GpSurface *surface, const void *pla
     const Rows rows = rows_of(tile, surface);
     const int32_t whole = rows.width / GP_LANES * GP_LANES;
     const size_t rest = (size_t)(rows.width - whole) * rows.bytes;
-    uint8_t buffer[GP_LANES * LARGEST_TEXEL];
+    uint8_t buffer[GP_LANES * LARGEST_TEXEL] = { 0 };
     for (int32_t y = 0; y < rows.height; y++) {
         uint8_t *to = rows.texels + (size_t)y * rows.pitch;
         for (int32_t x = 0; x < whole; x += GP_LANES, to += GP_LANES * rows.bytes)
             store_texels(surface->format, to, planes, fast_at(x, y), rows.non_temporal);
         if (!rest)
             continue;
+        memcpy(buffer, to, rest);
         store_texels(surface->format, buffer, planes, fast_at(whole, y), false);
         memcpy(to, buffer, rest);
     }

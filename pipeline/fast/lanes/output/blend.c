@@ -153,7 +153,7 @@ GP_INLINE void store_target(const BlendBlock *m, const GpBlend *blend, GpFormat 
     GP_UNROLL
     for (int c = 0; c < 4; c++)
         if (c < channels_of(format) && !(blend->keep >> c & 1))
-            store_pixels(m, shape, p, at, m->planes->channel[c], (itg)target[c]);
+            store_pixels(m, shape, p, at, m->planes->channel[c], plane_word(format, target[c]));
 }
 
 GP_INLINE void blend_packet(const GpBlend *blend, GpFormat format, const BlendBlock *m, Shape shape,

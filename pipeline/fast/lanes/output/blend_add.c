@@ -75,6 +75,32 @@ GP_INLINE void add_as(float (*pixel)[4], bool halves, bool pairs, const FastShad
         add_all(pixel, halves, false, shaded, color);
 }
 
+/* The lane that is added as the i-th: one after the other, or with its neighbour four lanes on. */
+static int lane_in_turn(int i, bool pairs)
+{
+    return pairs ? i / 8 * 8 + i % 2 * 4 + i / 2 % 4 : i;
+}
+
+/* Only what lives: dead lanes would make other NaNs of those that stay. */
+static void add_live(float (*pixel)[4], GpFormat format, const FastDraw *d, const FastShaded *s,
+                     const flt *color)
+{
+    const bool pairs = fast_adds_pairs(d);
+    for (int p = 0; p < s->block.count; p++, color += s->stride) {
+        const itg place = gathered_at(&s->block.gathered[p]);
+        for (int i = 0; i < GP_LANES; i++) {
+            const int lane = lane_in_turn(i, pairs);
+            const float more[4] = { color[0][lane], color[1][lane], color[2][lane],
+                                    color[3][lane] };
+            if (!(s->live[p] >> lane & 1))
+                continue;
+            if (d->needs.ternary && (s->replaced[p] >> lane & 1))
+                memset(pixel[place[lane]], 0, sizeof pixel[0]);
+            fours_add(pixel[place[lane]], more, fast_is_half(format));
+        }
+    }
+}
+
 void fast_add_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
 {
     const bool pairs = fast_adds_pairs(d);
@@ -82,7 +108,9 @@ void fast_add_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
     for (int t = 0; t < written && t < tile->targets; t++) {
         const GpFormat format = d->pass->color[t].surface->format;
         const flt *color = shaded->color + 4 * t;
-        if (fast_is_half(format))
+        if (tile->sums->odd[t])
+            add_live(tile->sums->pixel[t], format, d, shaded, color);
+        else if (fast_is_half(format))
             add_as(tile->sums->pixel[t], true, pairs, shaded, color);
         else
             add_as(tile->sums->pixel[t], false, pairs, shaded, color);

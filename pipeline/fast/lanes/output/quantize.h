@@ -2,6 +2,7 @@
 #ifndef GP_FAST_OUTPUT_QUANTIZE_H
 #define GP_FAST_OUTPUT_QUANTIZE_H
 
+#include "pipeline/fast/lanes/memory/convert.h"
 #include "pipeline/fast/lanes/memory/tile.h"
 
 /* To [0, 1], NaN to 0. */
@@ -44,6 +45,13 @@ GP_INLINE flt quantize(GpFormat format, flt v)
     default:
         return v;
     }
+}
+
+/* What a plane of floats holds of a quantized value. */
+GP_INLINE itg plane_word(GpFormat format, flt v)
+{
+    const bool is_whole = format == GP_R32F || format == GP_A32B32G32R32F;
+    return is_whole ? canonical((itg)v) : (itg)v; /* halves are, once they are stored */
 }
 
 /* The word of A8R8G8B8, of values up to 2. */

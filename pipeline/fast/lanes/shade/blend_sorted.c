@@ -140,10 +140,12 @@ GP_INLINE void blend_column(const Tile *tile, const Column *column, int t, const
     if (packed && (blend->keep & 15) != 15)
         store_lanes(planes->packed + at, false,
                     word_of(target) | ((int32_t)filled & (itg)(column->waiting > 0)));
+    const msk written = (msk)(column->waiting > 0);
     GP_UNROLL
     for (int c = 0; c < 4 && !packed; c++)
         if (c < channels_of(format))
-            flt_store(planes->channel[c] + at, target[c]);
+            flt_store(planes->channel[c] + at,
+                      (flt)itg_select(written, plane_word(format, target[c]), (itg)target[c]));
 }
 
 /* Of known formats, the loop has no more than they ask for. */

@@ -36,8 +36,7 @@ GP_INLINE void write_words(const FastGathered *gathered, const Written *written,
         store_lanes(written->plane[i] + at, false, written->words[i]);
 }
 
-/* Color: of the first packet, `stride` vectors before that of the next. */
-
+/* in   color: of the first packet, `stride` vectors before that of the next */
 static void write_packed(FastPlanes *planes, GpFormat format, const FastGathered *gathered,
                          int count, const flt *color, int stride)
 {
@@ -58,7 +57,7 @@ static void write_channels(FastPlanes *planes, GpFormat format, const FastGather
         written.plane[c] = (uint32_t *)(void *)planes->channel[c];
     for (int p = 0; p < count; p++, color += stride) {
         for (int c = 0; c < channels; c++)
-            written.words[c] = (itg)quantize(format, color[c]);
+            written.words[c] = plane_word(format, quantize(format, color[c]));
         write_words(&gathered[p], &written, channels);
     }
 }

@@ -1,6 +1,6 @@
 /* Targets that sprites are added to stand as sums until planes are wanted: passes that add, blend,
  * read in place and clear, one after the other in one group, on every device and of every format of
- * floats. */
+ * floats. What no pass writes keeps its bits, be they NaNs that no store makes (R31). */
 #include "shaders_c/common/texel_copy.h"
 #include "tests/shaders/flat_points.h"
 #include "tests/support/devices.h"
@@ -13,6 +13,7 @@ enum { WIDTH = 150, HEIGHT = 100, POINTS = 150, SURFACES = 3, PASSES = 14, SEEDS
 
 static const FlatPointsUniforms uniforms = { { WIDTH, HEIGHT } };
 static const float cover[3][3] = { { -1, 1, 0 }, { 3, 1, 0 }, { -1, -3, 0 } };
+static const float part[3][3] = { { -1, 0.3f, 0 }, { 0.9f, 0.7f, 0.5f }, { -0.2f, -0.9f, 0.2f } };
 static const GpFormat formats[] = { GP_R32F, GP_G16R16F, GP_A16B16G16R16F, GP_A32B32G32R32F,
                                     GP_A32B32G32R32F };
 
@@ -69,12 +70,14 @@ static void set_sprites(Random *r, Drawing *drawing, int number, GpDraw *draw)
     };
 }
 
-static void set_copy(const GpSurface *from, GpDraw *draw)
+static void set_copy(Random *r, const GpSurface *from, GpDraw *draw)
 {
+    const float(*corners)[3] = random_int(r, 0, 1) ? cover : part;
     *draw = (GpDraw){
         .program = &texel_copy_program,
         .geometry = { .vertex_count = 3,
-                      .streams = { [GP_POSITION] = { cover, sizeof cover[0], 3, GP_FLOAT32 } } },
+                      .streams = { [GP_POSITION] = { corners, sizeof corners[0], 3,
+                                                     GP_FLOAT32 } } },
     };
     draw->textures[0].surface = from;
 }
@@ -102,14 +105,29 @@ static void set_pass(Random *r, Drawing *drawing, int number)
         pass->clear_rects = &drawing->rects[number];
         pass->clear_rect_count = 1;
     }
+    if (random_int(r, 0, 5) == 0)
+        pass->order = GP_ORDER_DEPTH_NEAR_FIRST;
     pass->draw_count = (uint32_t)random_int(r, 1, 2);
     for (uint32_t i = 0; i < pass->draw_count; i++) {
         GpDraw *draw = &drawing->draws[number][i];
         if (random_int(r, 0, 1))
             set_sprites(r, drawing, number, draw);
         else
-            set_copy(drawing->surfaces[other], draw);
+            set_copy(r, drawing->surfaces[other], draw);
         draw->state.blend[0] = random_blend(r);
+    }
+}
+
+/* Any bits, of which many are no numbers. */
+static void fill_with_bits(Random *r, GpSurface *surface)
+{
+    const GpLevel *level = &surface->level[0];
+    const bool halves = surface->format == GP_G16R16F || surface->format == GP_A16B16G16R16F;
+    for (size_t at = 0; at < level->pitch * level->height; at += 4) {
+        uint32_t word = random_word(r);
+        if (random_int(r, 0, 2) == 0)
+            word |= halves ? 0x7c00 : 0x7f800000;
+        memcpy(level->texels + at, &word, sizeof word);
     }
 }
 
@@ -132,7 +150,10 @@ static void draw_seed(Drawing *drawing, int seed)
     char what[32];
     snprintf(what, sizeof what, "seed %d", seed);
     for (int i = 0; i < SURFACES; i++)
-        gp_surface_clear_color(drawing->surfaces[i], (float[]){ 0.5f, 0.25f, 0.75f, 0.125f });
+        if (seed / (int)GP_COUNT(formats) % 2)
+            fill_with_bits(&r, drawing->surfaces[i]);
+        else
+            gp_surface_clear_color(drawing->surfaces[i], (float[]){ 0.5f, 0.25f, 0.75f, 0.125f });
     run_list_everywhere(&list, what);
     for (int i = 0; i < SURFACES; i++)
         gp_surface_destroy(&drawing->surfaces[i]);
