@@ -14,7 +14,7 @@
 # against those of the first build. One line for each build and processor, or why it was left out; then the
 # count of configurations, of pictures drawn, and of differences. Exit status 1 where there is any.
 out=$1
-builds=${BUILDS:-gcc-O2 clang-O2 gcc-O0 clang-O0 gcc-O1 clang-O1 gcc-O3 clang-O3 tile-16 tile-32 tile-128 plain aarch64}
+builds=${BUILDS:-gcc-O2 clang-O2 gcc-O0 clang-O0 gcc-O1 clang-O1 gcc-O3 clang-O3 tile-16 tile-32 plain aarch64}
 processors=${PROCESSORS:-here Nehalem Haswell-noTSX}
 mkdir -p "$out"
 here=$(mktemp -d)

@@ -8,7 +8,8 @@
 #include "pipeline/units/interpolate.h"
 #include "pipeline/units/viewport.h"
 
-/* A power of two, 16..128. No bit depends on it, which builds with other sizes show. */
+/* A power of two, 16..64: edges across a tile fit into 32 bits. No bit depends on it, which builds
+ * with other sizes show. */
 #ifndef GP_TILE
 #define GP_TILE 64
 #endif
@@ -20,13 +21,15 @@ enum {
     FAST_LEAST_IN_RANGE = 4096, /* primitives of one item of work */
     FAST_MOST_IN_RANGE = 16384,
 
-    /* surfaces that a tile's memory holds at once: the targets of a pass and all that it reads in
-     * place, which are read one by one from where they are else; and some more of its group */
+    /* surfaces that a tile's memory holds at once: the targets of a pass, and colours that it reads
+     * in place; and some more of its group. What else is read in place is read from where it is */
     FAST_COLOR_SLOTS = GP_MAX_TARGETS + GP_MAX_SAMPLERS + 4,
     FAST_DEPTH_SLOTS = 2,
 
     FAST_REPEATED = 64, /* draws of a group whose fragments a tile keeps from pass to pass */
 };
+
+_Static_assert(FAST_TILE >= 16 && FAST_TILE <= 64 && !(FAST_TILE & (FAST_TILE - 1)), "tiles");
 
 /* Surfaces of so many bytes find no room in a core's own caches: what a tile writes to them, and no
  * one reads before the frame is done, is stored past the caches. */
@@ -198,8 +201,8 @@ typedef struct FastPass {
     bool one_blend;
     bool writes_depth; /* of a pass that sorts: some draw changes depth or stencil */
     bool starts;       /* with the pass's first draw: targets are cleared before */
-    const struct FastPass
-        *repeats; /* an earlier one of the group, whose bins are its too; or NULL */
+    /* an earlier one of the group, whose bins are its too; or NULL */
+    const struct FastPass *repeats;
 
     /* what the tiles are to draw now */
     bool clears;
