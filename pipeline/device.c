@@ -18,7 +18,7 @@ struct GpDevice {
     GpDeviceDesc desc;
     char isa[16];     /* as asked for; desc.isa may have been freed by the caller */
     int forced_lanes; /* 0: chosen for each list */
-    const char *used_isa;
+    char used_isa[16];
     GpFast *fast;               /* NULL: the reference executor */
     GpCheckedPrograms programs; /* of the reference executor; the other has its own */
     GpCounters counters;
@@ -36,6 +36,13 @@ static GpResult check_isa(const char *name, GpError *error)
         return gp_fail(error, GP_ERROR_UNSUPPORTED,
                        "isa '%s': this processor, or this build, does not have it", name);
     return GP_OK;
+}
+
+/* A copy: what names it may be a program's code, which does not outlive its library. */
+static void use_isa(GpDevice *device, const char *name)
+{
+    strncpy(device->used_isa, name, sizeof device->used_isa - 1);
+    device->used_isa[sizeof device->used_isa - 1] = '\0';
 }
 
 static int processors(void)
@@ -57,8 +64,9 @@ GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *
                        is_fast ? "trace: only the reference executor has one of everything"
                                : "trace: only_wanted is for the fast executor");
     const char *isa = desc->isa;
-    if (gp_isa_lanes(isa) == 0 && getenv("GP_ISA"))
-        isa = getenv("GP_ISA");
+    const char *usual = getenv("GP_ISA");
+    if (gp_isa_lanes(isa) == 0 && usual && usual[0])
+        isa = usual;
     GpResult result = check_isa(isa, error);
     if (result)
         return result;
@@ -76,15 +84,16 @@ GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *
     d->forced_lanes = gp_isa_lanes(isa);
     if (d->forced_lanes)
         strncpy(d->isa, isa, sizeof d->isa - 1);
-    d->used_isa = d->forced_lanes ? d->isa : "auto";
+    use_isa(d, d->forced_lanes ? d->isa : "auto");
     *device = d;
     return GP_OK;
 }
 
 void gp_device_destroy(GpDevice **device)
 {
-    if (*device)
-        gp_fast_destroy(&(*device)->fast);
+    if (!device || !*device)
+        return;
+    gp_fast_destroy(&(*device)->fast);
     gp_free(*device);
     *device = NULL;
 }
@@ -117,10 +126,11 @@ static GpResult choose_lanes(GpDevice *device, const GpList *list, int *lanes, G
                            missing->name, *lanes);
         *lanes /= 2;
     }
-    device->used_isa = gp_isa_of_lanes(*lanes);
+    const char *used = gp_isa_of_lanes(*lanes);
     for (uint32_t p = 0; p < list->pass_count; p++)
         if (list->passes[p].draw_count)
-            device->used_isa = gp_program_code(list->passes[p].draws[0].program, *lanes)->isa;
+            used = gp_program_code(list->passes[p].draws[0].program, *lanes)->isa;
+    use_isa(device, used);
     return GP_OK;
 }
 

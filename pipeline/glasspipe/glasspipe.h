@@ -48,14 +48,17 @@ typedef struct GpDevice GpDevice;
  * executor does not have), GP_ERROR_UNSUPPORTED (an isa that this processor or build lacks),
  * GP_ERROR_MEMORY. Several devices may run at once, each from its own thread. */
 GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *error);
-void gp_device_destroy(GpDevice **device); /* NULL-safe, sets NULL */
+void gp_device_destroy(GpDevice **device); /* NULL and a pointer to NULL are fine; sets NULL */
 
-/* Checks the list (gp_list_check), then runs it to the end. On an error no texel has changed, but
+/* Checks the list (gp_list_check), then runs it to the end. What it has checked of a program it
+ * remembers by the program's address and fields: programs and their code stay where and as they are
+ * until the device is destroyed. On an error no texel has changed, but
  * for GP_ERROR_MEMORY of the fast executor, or of passes that sort, which may come after earlier
  * passes were drawn. The floating-point control word is set for the duration and restored (R29). */
 GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error);
 
-/* The isa that the last run used ("sse2", ...), or the forced one before any. */
+/* The isa that the last run used ("sse2", ...), or the forced one before any; "auto" before the
+ * first. Valid as long as the device is. */
 const char *gp_device_isa(const GpDevice *device);
 
 /* As it was asked for. */

@@ -19,6 +19,14 @@ GpRect gp_pass_window(const GpPass *pass)
     return first_target(pass)->window;
 }
 
+bool gp_pass_clears(const GpPass *pass)
+{
+    bool clears = pass->depth.surface && (pass->depth.clear_depth || pass->depth.clear_stencil);
+    for (int i = 0; i < GP_MAX_TARGETS; i++)
+        clears = clears || (pass->color[i].surface && pass->color[i].clear);
+    return clears;
+}
+
 GpRect gp_pass_clear_part(const GpPass *pass, uint32_t i)
 {
     const GpRect all = gp_pass_window(pass);

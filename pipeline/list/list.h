@@ -70,6 +70,9 @@ void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height);
 /* The part of them that all its targets have, after gp_list_check; where it is drawn. */
 GpRect gp_pass_window(const GpPass *pass);
 
+/* Whether a pass clears any of its targets. */
+bool gp_pass_clears(const GpPass *pass);
+
 /* The parts in which a pass clears, at least one, and part i of them: pixels of the targets, or
  * none. */
 static inline uint32_t gp_pass_clear_parts(const GpPass *pass)
@@ -87,8 +90,9 @@ bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface);
  * (enumerations, scissor, finite viewport inside the guard band, a ternary test with its compare
  * function and epsilon, blending and logic on formats that have them, stencil only with stencil
  * bits), textures (bound where the program reads, compare samplers on depth surfaces, local reads
- * on surfaces of the pass's size, no others on surfaces that have a window).
- * errors GP_ERROR_INVALID, with the pass, the draw and the field named:
+ * on surfaces of the pass's size, no others on surfaces that have a window). The
+ * floating-point control word is set for the duration and restored (R29).
+ * errors GP_ERROR_MEMORY; GP_ERROR_INVALID, with the pass, the draw and the field named:
  *        "pass 2 'light', draw 0 'quad': textures[1].surface: not bound, but deferred_program reads
  *        slot 1" */
 GpResult gp_list_check(const GpList *list, GpError *error);

@@ -1,6 +1,7 @@
 /* Validation of a list before its first pixel: every rule once, with the field's name. */
 #include "pipeline/list/list_check.h"
 
+#include "pipeline/base/fpcontrol.h"
 #include "pipeline/list/isa.h"
 #include "pipeline/list/pass_target.h"
 
@@ -78,14 +79,6 @@ static GpResult check_color_targets(const Place *place)
     return GP_OK;
 }
 
-static bool clears_anything(const GpPass *pass)
-{
-    bool clears = pass->depth.surface && (pass->depth.clear_depth || pass->depth.clear_stencil);
-    for (int i = 0; i < GP_MAX_TARGETS; i++)
-        clears = clears || (pass->color[i].surface && pass->color[i].clear);
-    return clears;
-}
-
 static GpResult check_targets(const Place *place)
 {
     const GpPass *pass = pass_at(place);
@@ -122,7 +115,7 @@ static GpResult check_targets(const Place *place)
     if (pass->clear_rect_count && !pass->clear_rects)
         return refuse(place, "clear_rects", "NULL, but clear_rect_count is %u",
                       pass->clear_rect_count);
-    if (pass->clear_rect_count && !clears_anything(pass))
+    if (pass->clear_rect_count && !gp_pass_clears(pass))
         return refuse(place, "clear_rects", "the pass clears nothing");
     if ((unsigned)pass->order >= GP_ORDERS)
         return refuse(place, "order", "unknown");
@@ -284,7 +277,9 @@ static GpResult check_sorted_primitives(const Place *place)
 static GpResult check_viewport(const Place *place)
 {
     const GpViewport *v = &draw_at(place)->viewport;
-    const float limit = 2.0f * GP_MAX_SIZE;
+    uint32_t width, height;
+    gp_pass_size(pass_at(place), &width, &height);
+    const float limit = fmaxf(2.0f * GP_MAX_SIZE, (float)(width > height ? width : height));
     if (v->width == 0 && v->height == 0 && (v->x != 0 || v->y != 0))
         return refuse(place, "viewport", "has a place but no size");
     if (!(fabsf(v->x) <= limit && fabsf(v->y) <= limit))
@@ -363,7 +358,8 @@ static GpResult check_blend_state(const Place *place)
         if (blend->op == GP_BLEND_OFF && blend->alpha_op != GP_BLEND_OFF)
             return refuse(&at, field, "alpha blends, but colour does not");
         bool logic = gp_blend_is_logic(blend->op);
-        if (blend->alpha_op != GP_BLEND_OFF && logic != gp_blend_is_logic(blend->alpha_op))
+        if (blend->alpha_op != GP_BLEND_OFF && blend->alpha_op != blend->op &&
+            (logic || gp_blend_is_logic(blend->alpha_op)))
             return refuse(&at, field, "logical operations serve colour and alpha alike");
         const GpSurface *target = pass->color[i].surface;
         if (logic && target && gp_format_info(target->format)->is_float)
@@ -457,8 +453,8 @@ static GpResult check_draw(const Place *place)
     return result;
 }
 
-GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, GpIndexRanges *ranges,
-                             GpError *error)
+static GpResult check_list(const GpList *list, GpCheckedPrograms *programs, GpIndexRanges *ranges,
+                           GpError *error)
 {
     if (list->pass_count && !list->passes)
         return gp_fail(error, GP_ERROR_INVALID, "passes: NULL, but pass_count is %u",
@@ -481,6 +477,15 @@ GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, Gp
             return result;
     }
     return GP_OK;
+}
+
+GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, GpIndexRanges *ranges,
+                             GpError *error)
+{
+    const GpFpControl control = gp_fp_enter(); /* shaders run on trial */
+    const GpResult result = check_list(list, programs, ranges, error);
+    gp_fp_leave(control);
+    return result;
 }
 
 GpResult gp_list_check(const GpList *list, GpError *error)

@@ -30,7 +30,9 @@ typedef enum GpTraceKind {
     /* its turn among the pixel's, in a pass with an order; of a pass's fragments these come last,
      * each with what follows of its own */
     GP_TRACE_SORT,
-    GP_TRACE_TEST,   /* scissor, alpha test, stencil, depth: one event each, in that order */
+    /* scissor, alpha test, stencil, depth: one event each, in that order; clip planes before
+     * GP_TRACE_INTERPOLATE */
+    GP_TRACE_TEST,
     GP_TRACE_OUTPUT, /* blending and the stored value, one event per target */
     /* a triangle that was culled or clipped would have covered the pixel; where GpTrace.missed is
      * set. Its vertices, clipping and set-up follow where one pixel is watched */
@@ -132,7 +134,7 @@ typedef struct GpTraceSteps {
 typedef struct GpTracePixel {
     int targets;
     float color[GP_MAX_TARGETS][4];
-    float depth; /* as tested */
+    float depth; /* not yet clamped to the viewport (R18) */
     bool killed;
 } GpTracePixel;
 

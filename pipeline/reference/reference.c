@@ -138,7 +138,8 @@ static bool takes_quad(const GpReferenceDraw *d, const GpQuad *quad)
     return takes;
 }
 
-static void fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
+/* Returns whether it covers a pixel. */
+static bool fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
 {
     const GpViewport *viewport = &d->viewport;
     const bool tells_all = gp_trace_sends(d, GP_TRACE_INTERPOLATE);
@@ -167,7 +168,7 @@ static void fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
         gp_trace_interpolate(d, &quad);
         finish_quad(d, &quad);
     }
-    d->reference->counters->primitives_drawn += drawn;
+    return drawn;
 }
 
 static void draw_triangle(GpReferenceDraw *d)
@@ -189,6 +190,7 @@ static void draw_triangle(GpReferenceDraw *d)
         if (!gp_viewport_transform(&d->viewport, &d->draw->state.raster, &polygon.corner[i],
                                    &screen[i]))
             return;
+    bool drawn = false;
     for (int i = 2; i < polygon.corners; i++) { /* a fan round the first corner */
         GpScreenVertex corner[3] = { screen[0], screen[i - 1], screen[i] };
         GpTriangle triangle;
@@ -198,12 +200,13 @@ static void draw_triangle(GpReferenceDraw *d)
         d->triangle = d->setup_result == GP_SETUP_DRAWN ? &triangle : NULL;
         gp_trace_setup(d);
         if (d->setup_result == GP_SETUP_DRAWN)
-            fill_triangle(d, &triangle);
+            drawn |= fill_triangle(d, &triangle);
         else
             gp_trace_missed_part(d);
         d->triangle = NULL;
         d->corner = NULL;
     }
+    d->reference->counters->primitives_drawn += drawn;
     gp_trace_missed_clip(d);
 }
 

@@ -18,8 +18,8 @@ typedef struct GpReference {
 /* Runs a checked list.
  * order passes, draws, primitives, then rows of quads from the top
  *      where a pass has an order by depth, pixels and their fragments at its end
- * errors GP_ERROR_MEMORY before anything is drawn, or for fragments that wait for the end of a
- *      pass */
+ * errors GP_ERROR_MEMORY before anything is drawn, for fragments that wait for the end of a pass,
+ *      or, after all is drawn, for steps that were to be told */
 GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpError *error);
 
 #endif

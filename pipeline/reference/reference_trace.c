@@ -103,10 +103,7 @@ void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t p
     if (!trace || (trace->one_pass && trace->pass != pass_number) ||
         trace->without >> GP_TRACE_CLEAR & 1)
         return;
-    bool cleared = pass->depth.clear_depth || pass->depth.clear_stencil;
-    for (int i = 0; i < GP_MAX_TARGETS; i++)
-        cleared = cleared || pass->color[i].clear;
-    if (!cleared || (trace->one_pixel && !clears_pixel(pass, trace->x, trace->y)))
+    if (!gp_pass_clears(pass) || (trace->one_pixel && !clears_pixel(pass, trace->x, trace->y)))
         return;
     GpTraceEvent event = { .kind = GP_TRACE_CLEAR,
                            .pass = pass_number,

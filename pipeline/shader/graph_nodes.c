@@ -86,18 +86,43 @@ void gp_graph_mark_live(GpGraph *graph)
     }
 }
 
+static bool has_place(const GpGraph *graph, int32_t number)
+{
+    const GpNode *node = &graph->node[number];
+    return !gp_node_is_instruction(node) || node->place >= 0;
+}
+
+/* The first instruction that a node reads and that has no place yet, or -1. */
+static int32_t awaited(const GpGraph *graph, const GpNode *node)
+{
+    const GpPart *part;
+    for (GpReads at = { 0 }; (part = gp_node_next_read(node, &at));)
+        if (!has_place(graph, part->node))
+            return part->node;
+    return -1;
+}
+
+/* Places an instruction after all that it waits for. Those that wait stand at the end of the list,
+ * the latest first: chains are as long as shaders' loops make them, too long for calls. */
 static void place(GpGraph *graph, int32_t number)
 {
-    GpNode *node = &graph->node[number];
-    const GpPart *part;
-    if (!gp_node_is_instruction(node) || node->place >= 0)
+    if (has_place(graph, number))
         return;
-    for (GpReads at = { 0 }; (part = gp_node_next_read(node, &at));)
-        place(graph, part->node);
-    node->place = graph->scheduled;
-    graph->schedule[graph->scheduled++] = number;
-    for (GpReads at = { 0 }; (part = gp_node_next_read(node, &at));)
-        graph->node[part->node].last_use = node->place;
+    int32_t *const end = graph->schedule + graph->nodes, *waiting = end;
+    *--waiting = number;
+    while (waiting < end) {
+        GpNode *node = &graph->node[*waiting];
+        const int32_t before = awaited(graph, node);
+        if (before >= 0) {
+            *--waiting = before;
+            continue;
+        }
+        node->place = graph->scheduled;
+        graph->schedule[graph->scheduled++] = *waiting++;
+        const GpPart *part;
+        for (GpReads at = { 0 }; (part = gp_node_next_read(node, &at));)
+            graph->node[part->node].last_use = node->place;
+    }
 }
 
 bool gp_graph_arrange(GpGraph *graph)

@@ -2,6 +2,7 @@
  * against its declarations; counted ones against its profiles too. */
 #include "pipeline/shader/program.h"
 
+#include "pipeline/base/fpcontrol.h"
 #include "pipeline/shader/profile.h"
 #include "pipeline/shader/trial.h"
 
@@ -291,7 +292,10 @@ GpResult gp_program_check(const GpProgram *program, GpError *error)
         return GP_OK;
 
     GpShaderCounts vertex, pixel;
-    if (!program->count(program, &vertex, &pixel))
+    const GpFpControl control = gp_fp_enter(); /* it runs the shaders, on denormal numbers too */
+    const bool counted = program->count(program, &vertex, &pixel);
+    gp_fp_leave(control);
+    if (!counted)
         return gp_fail(error, GP_ERROR_MEMORY, "program %s: no memory to count its instructions",
                        program->name);
     GpResult result = check_named_inputs(program, &vertex, error);
@@ -305,7 +309,9 @@ GpResult gp_program_check(const GpProgram *program, GpError *error)
 GpResult gp_program_try(const GpProgram *p, const GpProgramCode *code, const void *uniforms,
                         GpError *error)
 {
+    const GpFpControl control = gp_fp_enter();
     const GpTrial trial = gp_program_trial(p, code, uniforms);
+    gp_fp_leave(control);
     if (trial.fused)
         return REFUSE("program %s: its %s code rounds a * b + c once, which makes other pictures: "
                       "compile it with -ffp-contract=off",

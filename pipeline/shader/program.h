@@ -216,8 +216,8 @@ static inline const GpProgramCode *gp_program_code(const GpProgram *program, int
  * and against their profiles: names, component sums, undeclared texture slots, discards
  * and the like, varyings read but never written; slots, temporaries, constants, samplers, dependent
  * reads, features. A profile that is not declared sets no limits.
- * errors GP_ERROR_INVALID, "program lava_program, ps_2_0: 101 slots, at most 96; ps_2_sw has no
- *        such limit" */
+ * errors GP_ERROR_MEMORY; GP_ERROR_INVALID, "program lava_program, ps_2_0: 101 slots, at most 96;
+ *        ps_2_sw has no such limit" */
 GpResult gp_program_check(const GpProgram *program, GpError *error);
 
 /* Checks the code of one width against what the program declares, by running it: a few packets of

@@ -257,6 +257,16 @@ PROGRAM(looping, .samplers = 0)
 program(count_looping_3, count_vs, looping_ps, .vertex_profile = GP_VS_3_0,
         .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS)
 
+/* A loop of C, which is written out: each addition waits for the one before. */
+SHADER(chain)
+{
+    float4 sum = in->a;
+    for (int i = 0; i < COUNT_CHAIN; i++)
+        sum = add(sum, in->b);
+    return sum;
+}
+program(count_chain, count_vs, chain_ps, .inputs = INPUTS, .varyings = VARYINGS)
+
 SHADER(place)
 {
     return vec4(vpos().x, vpos().y, 0, 1);

@@ -46,15 +46,15 @@ GpResult take_samples(const GpImageSource &source, ImageInput &input, GpImage *i
                                  gp_image_sample_size(result.type));
     if (!result.data)
         throw std::bad_alloc();
+    std::unique_ptr<void, decltype(&gp_free)> samples(result.data, gp_free); /* where it throws */
     /* read_image takes 64 MiB beside the picture to convert; most pictures need no conversion. */
     bool is_native = spec.tile_width == 0 && spec.channelformats.empty();
     bool is_read =
         is_native ? input.read_native_scanlines(0, 0, spec.y, spec.y + spec.height, 0, result.data)
                   : input.read_image(0, 0, 0, spec.nchannels, spec.format, result.data);
-    if (!is_read) {
-        gp_free(result.data);
+    if (!is_read)
         return fail(source.path, input.geterror(), error);
-    }
+    samples.release();
     *image = result;
     return GP_OK;
 }

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #if defined(__SSE__)
 #include <xmmintrin.h>
@@ -105,27 +106,31 @@ static void r29_control_word_is_set_and_restored(void **state)
         { { 3, -1, 0, 1 }, { 1e-40f, 1e-40f, 1e-40f, 1 }, { 0, 0 } },
         { { -1, -1, 0, 1 }, { 1e-40f, 1e-40f, 1e-40f, 1 }, { 0, 0 } }
     };
-    const unsigned wild = 0x1f80 | 0x8000 | 0x0040 | 0x6000; /* flush, denormals zero, truncate */
-    uint64_t hash[2];
+    /* flush, denormals zero, truncate; up, and numbers that are none end the program */
+    static const unsigned wild[] = { 0x1f80 | 0x8000 | 0x0040 | 0x6000, 0x1900 | 0x4000 };
+    uint64_t hash[1 + GP_COUNT(wild)];
     unsigned before = _mm_getcsr();
-    for (int i = 0; i < 2; i++) {
+    for (size_t i = 0; i < GP_COUNT(hash); i++) {
+        const unsigned control = i ? wild[i - 1] : before;
         Drawing f = new_drawing(GP_A32B32G32R32F);
         link_drawing(&f, 1, &exercise_targets4, faint, 3);
         f.draw[0].program = &exercise_color;
         f.uniforms.color[0] = 1e-40f;
-        _mm_setcsr(i ? wild : before);
+        _mm_setcsr(control);
+        const GpResult checked = gp_list_check(&f.list, &f.error);
         GpResult result = run(&f.list, &(GpDeviceDesc){ 0 }, &f.error);
         unsigned after = _mm_getcsr();
         _mm_setcsr(before);
+        assert_int_equal(checked, GP_OK);
         assert_int_equal(result, GP_OK);
-        assert_int_equal(after & 0xffc0u, (i ? wild : before) & 0xffc0u);
+        assert_int_equal(after & 0xffc0u, control & 0xffc0u);
         hash[i] = gp_surface_hash(f.color);
         float red;
         memcpy(&red, f.color->level[0].texels, sizeof red);
         assert_true(red > 0 && red < 1.2e-38f); /* a denormal came through */
         free_drawing(&f);
     }
-    assert_true(hash[0] == hash[1]);
+    assert_true(hash[0] == hash[1] && hash[0] == hash[2]);
 }
 #endif
 
@@ -306,6 +311,40 @@ static void another_machines_instructions_are_refused(void **state)
     assert_null(device);
 }
 
+static void an_empty_isa_of_the_environment_is_none(void **state)
+{
+    (void)state;
+    const char *before = getenv("GP_ISA");
+    char *kept = before ? strdup(before) : NULL;
+    GpDevice *device = NULL;
+    assert_int_equal(setenv("GP_ISA", "", 1), 0);
+    assert_int_equal(gp_device_create(&(GpDeviceDesc){ 0 }, &device, NULL), GP_OK);
+    assert_string_equal(gp_device_isa(device), "auto");
+    gp_device_destroy(&device);
+    gp_device_destroy(NULL);
+    assert_int_equal(kept ? setenv("GP_ISA", kept, 1) : unsetenv("GP_ISA"), 0);
+    free(kept);
+}
+
+/* A triangle that the near plane cuts is one, however many parts are left of it. */
+static void a_clipped_primitive_is_drawn_once(void **state)
+{
+    (void)state;
+    static const Corner through[3] = { { { -1, -1, 0.5f, 1 }, { 1, 1, 1, 1 }, { 0, 0 } },
+                                       { { 0, 1, 0.5f, 1 }, { 1, 1, 1, 1 }, { 0, 0 } },
+                                       { { 1, -1, -0.3f, 1 }, { 1, 1, 1, 1 }, { 0, 0 } } };
+    Drawing f = new_drawing(GP_A8R8G8B8);
+    link_drawing(&f, 1, &exercise_color, through, 3);
+    GpDevice *device = device_open(&(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE });
+    assert_int_equal(gp_device_run(device, &f.list, &f.error), GP_OK);
+    const GpCounters *counters = gp_device_counters(device);
+    assert_int_equal(counters->primitives, 1);
+    assert_int_equal(counters->primitives_clipped, 1);
+    assert_int_equal(counters->primitives_drawn, 1);
+    gp_device_destroy(&device);
+    free_drawing(&f);
+}
+
 /* --- groups ----------------------------------------------------------------------------------- */
 
 static void passes_that_read_in_place_form_a_group(void **state)
@@ -351,6 +390,8 @@ int main(void)
         cmocka_unit_test(devices_refuse_what_they_cannot_be),
         cmocka_unit_test(a_program_is_drawn_at_a_width_that_it_has),
         cmocka_unit_test(another_machines_instructions_are_refused),
+        cmocka_unit_test(an_empty_isa_of_the_environment_is_none),
+        cmocka_unit_test(a_clipped_primitive_is_drawn_once),
         cmocka_unit_test(passes_that_read_in_place_form_a_group),
     };
     return cmocka_run_group_tests_name("device", tests, NULL, NULL);

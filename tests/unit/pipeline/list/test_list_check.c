@@ -195,6 +195,8 @@ CASE(logic_on_floats, (w.pass.color[0].surface = w.other,
                        w.draw.state.blend[0].op = GP_BLEND_LOGIC_OR), "need an unorm target")
 CASE(logic_half, (w.draw.state.blend[0].op = GP_BLEND_LOGIC_OR,
                   w.draw.state.blend[0].alpha_op = GP_BLEND_ADD), "colour and alpha alike")
+CASE(logic_differs, (w.draw.state.blend[0].op = GP_BLEND_LOGIC_OR,
+                     w.draw.state.blend[0].alpha_op = GP_BLEND_LOGIC_AND), "colour and alpha alike")
 CASE(texture_unbound, w.draw.program = &exercise_local, IN_DRAW "textures[3].surface: not bound")
 CASE(texture_is_target, (w.draw.program = &exercise_local, w.draw.textures[3].surface = w.color),
      "'color' is a render target of this pass")
@@ -469,6 +471,7 @@ int main(void)
         cmocka_unit_test(alpha_alone),
         cmocka_unit_test(logic_on_floats),
         cmocka_unit_test(logic_half),
+        cmocka_unit_test(logic_differs),
         cmocka_unit_test(texture_unbound),
         cmocka_unit_test(texture_is_target),
         cmocka_unit_test(local_of_other_size),

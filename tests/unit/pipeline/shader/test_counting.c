@@ -111,6 +111,13 @@ static void loops_are_counted_once(void **state)
     assert_accepted(&count_looping_3);
 }
 
+static void chains_may_be_as_long_as_a_shader(void **state)
+{
+    (void)state;
+    assert_int_equal(pixel_counts(&count_chain).arithmetic_slots, COUNT_CHAIN);
+    assert_accepted(&count_chain);
+}
+
 /* slots: phong_ps is nrm 3, sub 1, nrm 3, add 1, nrm 3, dp3 1, max 1, dp3 1, max 1, pow 3, mad 1,
  * mad 1, mov 1. Constants: eye, light, ambient, diffuse, specular and shininess are 14 floats, and
  * 0 and 1. Temporaries: N beside H. */
@@ -470,6 +477,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(instructions_cost_what_table_a3_says),
         cmocka_unit_test(loops_are_counted_once),
+        cmocka_unit_test(chains_may_be_as_long_as_a_shader),
         cmocka_unit_test(kills_are_texture_slots_and_dearer_in_model_3),
         cmocka_unit_test(phong_costs_what_it_does_by_hand),
         cmocka_unit_test(code_that_reaches_no_output_costs_nothing),
