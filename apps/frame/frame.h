@@ -16,10 +16,9 @@ typedef struct Frame {
     GpList list;
     GpSurface *color; /* the picture, whose alpha may be a measure of its own; NULL: depth is */
     GpSurface *depth; /* the picture's depth buffer, NULL: none */
-    const void
-        *made;   /* what the technique has to say of its frame, in its own struct; NULL: nothing */
-    Arena arena; /* all that the list refers to, */
-    void *held;  /* but for what something else made, which frame_free gives to release; or NULL */
+    const void *made; /* what the technique has to say of its frame, in its own struct; or NULL */
+    Arena arena;      /* all that the list refers to, */
+    void *held; /* but for what something else made, which frame_free gives to release; or NULL */
     void (*release)(void *held);
 
     /* The part that is to be drawn of a picture of this size, as GpSurfaceDesc.window; all zero:

@@ -47,7 +47,8 @@ GpResult gp_file_write(const char *path, const void *data, size_t size, GpError 
  * put there when it is whole. */
 typedef struct GpFilePieces GpFilePieces;
 
-/* errors GP_ERROR_IO, GP_ERROR_MEMORY; owns: the caller, until gp_file_end */
+/* in     path: stays as it is until gp_file_end
+ * errors GP_ERROR_IO, GP_ERROR_MEMORY; owns: the caller, until gp_file_end */
 GpResult gp_file_begin(const char *path, GpFilePieces **pieces, GpError *error);
 GpResult gp_file_add(GpFilePieces *pieces, const void *data, size_t size, GpError *error);
 

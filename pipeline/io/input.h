@@ -69,7 +69,7 @@ static inline bool gp_word_is(const GpWord *word, const char *text)
  * nan and inf are no numbers. */
 bool gp_word_number(const GpWord *word, float *value);
 
-/* A decimal integer of magnitude below 2^62. */
+/* A decimal integer of magnitude below 2.88e18. */
 bool gp_word_integer(const GpWord *word, int64_t *value);
 
 /* At most 40 bytes of a word for a message, without control characters. */

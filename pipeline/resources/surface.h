@@ -9,8 +9,9 @@ extern "C" {
 #endif
 
 enum {
-    GP_MAX_SIZE = 8192, /* texels a side; the guard band allows no more with sub-pixel exactness */
-    GP_MAX_LEVELS = 14, /* mip levels of an 8192 texture */
+    GP_MAX_SIZE =
+        8192, /* texels a side: binary32 has places up to here in steps of 2^-11 or less */
+    GP_MAX_LEVELS = 14,   /* mip levels of an 8192 texture */
     GP_MAX_WHOLE = 32768, /* pixels a side of what a window is cut from */
     GP_WINDOW_STEP = 128, /* pixels: a window begins and ends at multiples of it */
 };

@@ -1,5 +1,5 @@
 /* Fragment order: the key by which a pixel's fragments are sorted.
- * in: a depth, the viewport's range, the pass's order; out: a number of 31 bits. Rules R18, R53. */
+ * in: a depth, the viewport's range, the pass's order; out: a number of 31 bits. Rules R18, R55. */
 #include "pipeline/units/fragment_order.h"
 
 #include "pipeline/resources/format.h"

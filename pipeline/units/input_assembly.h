@@ -15,8 +15,8 @@ static inline size_t gp_stream_offset(const GpStream *stream, int component)
 
 /* Fetches one input of one vertex.
  * in   index < geometry->vertex_count
- * out  input: components that the stream lacks are (0, 0, 0, 1); signalling NaNs become the
- *      canonical quiet one
+ * out  input: components that the stream lacks are (0, 0, 0, 1); any NaN becomes the canonical
+ *      quiet one
  * source CONVENTIONS.md, "Geometry" */
 void gp_fetch_input(const GpStream *stream, int components, uint32_t index, float *input);
 

@@ -12,7 +12,7 @@ typedef struct GpPixelStage {
     const GpTexture *textures;
     GpTextureFn read_texture;
     GpLocalFn read_local;
-    void *executor; /* for these two */
+    void *executor; /* for read_texture */
 } GpPixelStage;
 
 /* Shades all four pixels of a quad, helpers too.
@@ -23,7 +23,8 @@ typedef struct GpPixelStage {
 void gp_shade_quad(const GpPixelStage *stage, GpQuad *quad);
 
 /* The same step by step, for who listens (gp_program_steps).
- * returns false, and leaves the quad alone, where the program has no counting build */
+ * returns false, and leaves the quad alone, where the program has no counting build, or memory is
+ *      short */
 bool gp_step_quad(const GpPixelStage *stage, const GpStepListener *listener, GpQuad *quad);
 
 #endif

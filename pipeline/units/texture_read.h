@@ -7,7 +7,7 @@
 
 /* Reads one packet from a texture.
  * in   read: as the shader gave it; distinct: lanes that differ (the rest repeat lane
- *      0..distinct-1, as a quad does on wider lanes), a multiple of 4 or at most read->lanes
+ *      0..distinct-1, as a quad does on wider lanes), a multiple of 4, at most read->lanes
  * out  read->texel; reports[distinct] where not NULL
  * note differences are the quad's: right minus left within a row, lower minus upper within a
  *      column, the same as dsx and dsy give */

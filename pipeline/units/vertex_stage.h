@@ -22,7 +22,8 @@ void gp_shade_vertices(const GpVertexStage *stage, const float *inputs, int coun
                        GpVertex *vertices);
 
 /* The same of up to four vertices step by step, for who listens (gp_program_steps).
- * returns false, and leaves the vertices alone, where the program has no counting build */
+ * returns false, and leaves the vertices alone, where the program has no counting build, or memory
+ *      is short */
 bool gp_step_vertices(const GpVertexStage *stage, const float *inputs, int count,
                       const GpStepListener *listener, GpVertex *vertices);
 

@@ -4,8 +4,9 @@
  * linear between eight samples, then classified. The last one is as short as what is left. Bricks
  * of samples that show nothing are passed over; the ray ends at opaque things, and where next to
  * nothing is seen through what it has met.
- * source Levoy, "Efficient ray tracing of volume data", ACM TOG 9(3), 1990; as a shader: Krüger and
- *        Westermann, "Acceleration techniques for GPU-based volume rendering", Visualization 2003;
+ * source Levoy, "Efficient ray tracing of volume data", ACM TOG 9(3), 1990; as a shader: Krüger
+ *        and Westermann, "Acceleration techniques for GPU-based volume rendering", Visualization
+ *        2003;
  *        empty bricks with distances: Cohen and Sheffer, "Proximity clouds", Visual Computer 11,
  *        1994 */
 #ifndef SHADERS_VOLUME_RAYCAST_H

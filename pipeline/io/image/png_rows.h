@@ -7,7 +7,7 @@
 typedef struct GpPngRows GpPngRows;
 
 /* Begins a file of the same bytes that gp_image_write would write of the whole picture.
- * in     image: of U8 or U16; its samples are not looked at
+ * in     path: stays as it is until gp_png_end; image: of U8 or U16; its samples are not looked at
  * errors GP_ERROR_IO, GP_ERROR_MEMORY; owns: the caller, until gp_png_end, after a failure too */
 GpResult gp_png_begin(const char *path, const GpImage *image, GpPngRows **rows, GpError *error);
 

@@ -8,7 +8,7 @@
  *
  * Vertices are those of the file in its order, unreferenced ones included, except that
  *  - STL has no vertices, only corners: equal positions are welded, and vertices are numbered by
- *    their first use; -0 and denormal numbers count as 0 there;
+ *    their first use; -0 and numbers up to the least normal one count as 0 there;
  *  - OBJ corners that give one vertex different normals or texture coordinates get copies of the
  *    vertex, which are appended after all vertices of the file.
  * Triangles are in file order; a polygon v0 v1 v2 v3 .. is the fan (v0 v1 v2) (v0 v2 v3) .. */

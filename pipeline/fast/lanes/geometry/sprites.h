@@ -22,7 +22,7 @@ typedef struct SpriteBatch {
     uint32_t vertex[GP_LANES]; /* rising, where no index names it */
 } SpriteBatch;
 
-/* Pixels whose centres are at or right of (below) a coordinate. */
+/* The first pixel whose centre is at or right of (below) a coordinate. */
 GP_INLINE itg first_center(itg fixed)
 {
     return (fixed + (GP_SUBPIXELS / 2 - 1)) >> GP_SUBPIXEL_BITS;

@@ -21,7 +21,7 @@ static msk compare_lanes(GpCompare test, flt a, float b)
 }
 
 /* The nearer depth is stored. */
-static bool is_usual(const FastDraw *d)
+static bool stores_nearer(const FastDraw *d)
 {
     const GpCompare test = d->draw->state.depth.test;
     return (test == GP_LESS || test == GP_LESS_EQUAL) && d->draw->state.depth.write &&
@@ -64,7 +64,8 @@ GP_INLINE msk test_run(const Tile *tile, const FastDraw *d, uint32_t *at, msk al
 static unsigned test_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered,
                               unsigned live, flt z, unsigned *replaced)
 {
-    const bool usual = is_usual(d) && !d->needs.shader_depth; /* of the rasterizer, and clamped */
+    const bool usual =
+        stores_nearer(d) && !d->needs.shader_depth; /* of the rasterizer, and clamped */
     const itg codes = usual ? depth_codes(tile->depth_format, z) : (itg)z;
     const itg at = gathered_at(gathered);
     uint32_t place[GP_LANES], depth[2 * GP_LANES]; /* codes, or still floats */
@@ -119,7 +120,7 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacketBlock 
         flt z = flt_load((by_shader ? tile->block->shader_depth : block->depths) + p * GP_LANES);
         if (d->packs_points)
             return test_gathered(tile, d, &block->gathered[p], live, z, replaced);
-        if (packet->wide == GP_LANES && !packet->gathered && is_usual(d) && !d->needs.ternary)
+        if (packet->wide == GP_LANES && !packet->gathered && stores_nearer(d) && !d->needs.ternary)
             return test_row(tile, d, packet, live, z);
         live = fast_test_packet(tile, d, packet, tile->records->record[packet->record].face > 0,
                                 live, z, replaced);

@@ -11,7 +11,7 @@ typedef struct FastQueue {
     /* triangles that wait for their one colour (one_color.h); then no packets do */
     uint32_t colors;
     uint32_t color_record[FAST_COLORS];
-    uint32_t taken;    /* lanes of the last packet, where points have left some: else 0 */
+    uint32_t taken;    /* lanes of the last packet that points have filled, while any wait */
     FastLayers layers; /* while any wait, no packets do */
     _Alignas(64) FastPacket packets[FAST_MOST];
     _Alignas(64) float depths[FAST_BLOCK * GP_LANES]; /* of packets whose tests come late */

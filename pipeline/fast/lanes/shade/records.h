@@ -19,7 +19,7 @@ typedef struct FastTriangleRecord {
     int32_t c2, step2;       /* edge 2 */
     int32_t area;            /* doubled; these five are those of small triangles only */
     float ratio1, ratio2;    /* 1/w of corners 1 and 2 over that of corner 0 */
-    uint32_t kind;           /* FastKind */
+    uint32_t kind;           /* FastRecordKind */
     float face;
     uint16_t edges64;       /* number of the 64-bit edges */
     uint16_t flat;          /* which corner has the flat values */

@@ -24,11 +24,12 @@ GP_INLINE void prefetch_next(const Footprint *f)
 GP_INLINE void prefetch_next_rows(const Footprint *f)
 {
     const itg offset = f->offset[0];
-    const int32_t beyond = 2 * offset[GP_LANES - 1] - offset[GP_LANES - 2] - offset[0];
-    const itg next = offset + beyond;
+    const utg at = (utg)offset; /* which no overflow matters to: nothing is read there */
+    const utg next = at + (2 * at[GP_LANES - 1] - at[GP_LANES - 2] - at[0]);
     GP_UNROLL
     for (int lane = 0; lane < GP_LANES; lane += 2)
-        __builtin_prefetch((const void *)((uintptr_t)f->texels + (uintptr_t)(intptr_t)next[lane]));
+        __builtin_prefetch(
+            (const void *)((uintptr_t)f->texels + (uintptr_t)(intptr_t)(int32_t)next[lane]));
 }
 
 GP_INLINE void sample(const FastSampler *s, const FastLevel *level, Variant variant,
