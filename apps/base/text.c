@@ -141,6 +141,27 @@ void text_of_number(double value, char text[32])
     }
 }
 
+bool text_take_whole(const char **at, uint32_t most, uint32_t *value)
+{
+    const char *digit = *at;
+    uint64_t read = 0;
+    for (; *digit >= '0' && *digit <= '9' && read <= most; digit++)
+        read = 10 * read + (uint64_t)(*digit - '0');
+    if (digit == *at || read > most)
+        return false;
+    *value = (uint32_t)read;
+    *at = digit;
+    return true;
+}
+
+bool text_take_word(const char **at, const char *word)
+{
+    const size_t length = strlen(word);
+    const bool is_there = strncmp(*at, word, length) == 0;
+    *at += is_there ? length : 0;
+    return is_there;
+}
+
 /* Rounds to so many digits, but no whole number; drops the zeros behind the point. */
 static void print_plain(double value, int digits, char text[32])
 {

@@ -34,6 +34,13 @@ void text_free(Text *text); /* zeroes it */
 /* The shortest decimal form that strtod restores to the same bits. */
 void text_of_number(double value, char text[32]);
 
+/* Reads a whole number of plain digits, without sign or spaces, and goes on behind it; false, and
+ * nothing changes, where there is none or it is above `most'. */
+bool text_take_whole(const char **at, uint32_t most, uint32_t *value);
+
+/* Goes on behind a word that is there; false where it is not. */
+bool text_take_word(const char **at, const char *word);
+
 /* A number as people write it: "12,346", "0.0005", "1.2 x 10^-9" far from everyday. */
 void text_for_people(double value, int digits, char text[32]);
 

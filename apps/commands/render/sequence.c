@@ -1,5 +1,6 @@
 #include "apps/commands/render/sequence.h"
 
+#include "apps/base/text.h"
 #include "apps/commands/output.h"
 #include "apps/commands/progress.h"
 #include "apps/commands/render/frames.h"
@@ -9,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <xxhash.h>
+
+enum { MOST_NUMBER = 10000000 }; /* of a frame */
 
 bool render_is_sequence(const Render *render)
 {
@@ -23,54 +26,83 @@ bool render_is_sequence(const Render *render)
 /* "A:B" or "A:B:STEP". */
 static int read_frames(const char *text, Frames *frames)
 {
-    unsigned first, last, step = 1;
-    int end = 0, more = 0;
-    const int read = sscanf(text, "%u:%u%n:%u%n", &first, &last, &end, &step, &more);
-    const int used = read == 3 ? more : end;
-    if (read < 2 || text[used] || last < first || step < 1 || last > 10000000 || strchr(text, '-'))
-        return report(EXIT_USAGE, "--frames: expected A:B or A:B:STEP, A not above B, not '%s'",
-                      text);
+    const char *at = text;
+    uint32_t first, last, step = 1;
+    bool good = text_take_whole(&at, MOST_NUMBER, &first) && text_take_word(&at, ":") &&
+                text_take_whole(&at, MOST_NUMBER, &last);
+    if (good && text_take_word(&at, ":"))
+        good = text_take_whole(&at, MOST_NUMBER, &step);
+    if (!good || *at || last < first || step < 1)
+        return report(EXIT_USAGE,
+                      "--frames: expected A:B or A:B:STEP, A not above B, both at most %d, not "
+                      "'%s'",
+                      MOST_NUMBER, text);
     frames->first = first;
     frames->step = step;
     frames->count = (last - first) / step + 1;
     return EXIT_DONE;
 }
 
+/* Two numbers with a character between. */
+static bool take_pair(const char **at, const char *between, uint32_t pair[2])
+{
+    return text_take_whole(at, INT32_MAX, &pair[0]) && text_take_word(at, between) &&
+           text_take_whole(at, INT32_MAX, &pair[1]);
+}
+
 /* "X,Y,WxH", and " of WxH" behind it. */
 static int read_window(const char *text, Frames *frames)
 {
-    unsigned x, y, width, height, whole[2] = { frames->whole[0], frames->whole[1] };
-    int end = 0, more = 0;
-    const int read = sscanf(text, "%u,%u,%ux%u%n of %ux%u%n", &x, &y, &width, &height, &end,
-                            &whole[0], &whole[1], &more);
-    const int used = read == 6 ? more : end;
-    if ((read != 4 && read != 6) || text[used] || strchr(text, '-'))
+    const char *at = text;
+    uint32_t place[2], size[2], whole[2] = { frames->whole[0], frames->whole[1] };
+    bool good = take_pair(&at, ",", place) && text_take_word(&at, ",") && take_pair(&at, "x", size);
+    if (good && text_take_word(&at, " of "))
+        good = take_pair(&at, "x", whole);
+    if (!good || *at)
         return report(EXIT_USAGE, "--window: expected X,Y,WxH or \"X,Y,WxH of WxH\", not '%s'",
                       text);
     if (whole[0] < 1 || whole[0] > GP_MAX_WHOLE || whole[1] < 1 || whole[1] > GP_MAX_WHOLE)
         return report(EXIT_USAGE, "--window: a whole of %ux%u, at most %dx%d", whole[0], whole[1],
                       GP_MAX_WHOLE, GP_MAX_WHOLE);
-    if (width < 1 || height < 1 || x >= whole[0] || width > whole[0] - x || y >= whole[1] ||
-        height > whole[1] - y)
-        return report(EXIT_USAGE, "--window: %u,%u,%ux%u is not inside %ux%u", x, y, width, height,
-                      whole[0], whole[1]);
+    for (int i = 0; i < 2; i++)
+        good = good && size[i] > 0 && place[i] < whole[i] && size[i] <= whole[i] - place[i];
+    if (!good)
+        return report(EXIT_USAGE, "--window: %u,%u,%ux%u is not inside %ux%u", place[0], place[1],
+                      size[0], size[1], whole[0], whole[1]);
     memcpy(frames->whole, whole, sizeof whole);
-    frames->window =
-        (GpRect){ (int32_t)x, (int32_t)y, (int32_t)(x + width), (int32_t)(y + height) };
+    frames->window = (GpRect){ (int32_t)place[0], (int32_t)place[1], (int32_t)(place[0] + size[0]),
+                               (int32_t)(place[1] + size[1]) };
+    return EXIT_DONE;
+}
+
+/* Those up to the last key. */
+static int count_frames(const Render *render, Frames *frames)
+{
+    const ScenePath *path = &frames->path;
+    const double time = path->times[path->count - 1], last = time * path->rate + 1e-9;
+    if (!(last >= 0))
+        return report(EXIT_INPUT,
+                      "%s: keys[%zu].time: %g, the last, is before frame 0: expected a key at 0 or "
+                      "later",
+                      render->path, path->count - 1, time);
+    if (!(last < MOST_NUMBER + 1.0))
+        return report(EXIT_INPUT,
+                      "%s: keys[%zu].time: %g at %g frames a second is more than frame %d",
+                      render->path, path->count - 1, time, path->rate, MOST_NUMBER);
+    frames->count = (uint32_t)last + 1;
     return EXIT_DONE;
 }
 
 /* Those of the whole path, or of the whole turn, where none are named. */
 static int choose_frames(const Render *render, Frames *frames)
 {
-    const ScenePath *path = &frames->path;
     frames->count = frames->step = 1;
     if (render->frames)
         return read_frames(render->frames, frames);
     if (render->turn)
         frames->count = render->turn;
-    else if (path->count)
-        frames->count = (uint32_t)(path->times[path->count - 1] * path->rate + 1e-9) + 1;
+    else if (frames->path.count)
+        return count_frames(render, frames);
     return EXIT_DONE;
 }
 

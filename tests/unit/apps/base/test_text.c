@@ -100,6 +100,28 @@ static void what_is_copied_is_utf_8(void **state)
     assert_string_equal(text, "a?");
 }
 
+static void whole_numbers_are_plain_digits(void **state)
+{
+    (void)state;
+    static const char *const wrong[] = { "",   "x1",  "-1",         "+1",
+                                         " 1", "101", "4294967296", "99999999999999999999999999" };
+    uint32_t value = 7;
+    for (size_t i = 0; i < GP_COUNT(wrong); i++) {
+        const char *at = wrong[i];
+        assert_false(text_take_whole(&at, 100, &value));
+        assert_ptr_equal(at, wrong[i]);
+        assert_int_equal(value, 7);
+    }
+    const char *at = "100 of 4294967295";
+    assert_true(text_take_whole(&at, 100, &value));
+    assert_int_equal(value, 100);
+    assert_false(text_take_word(&at, "of "));
+    assert_true(text_take_word(&at, " of "));
+    assert_true(text_take_whole(&at, UINT32_MAX, &value));
+    assert_int_equal(value, UINT32_MAX);
+    assert_string_equal(at, "");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -107,6 +129,7 @@ int main(void)
         cmocka_unit_test(csv_is_quoted_where_it_must_be),
         cmocka_unit_test(numbers_come_back_bit_by_bit),
         cmocka_unit_test(numbers_are_written_as_people_do),
+        cmocka_unit_test(whole_numbers_are_plain_digits),
         cmocka_unit_test(names_are_cut_out_of_paths),
         cmocka_unit_test(what_is_copied_is_utf_8),
     };
