@@ -1,5 +1,7 @@
 #include "apps/commands/command.h"
 
+#include "apps/base/text.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -82,20 +84,36 @@ static void list_options(const Parse *parse, struct argp_option options[MAX_OPTI
     memcpy(options + count, help_options, sizeof help_options);
 }
 
-/* Sets the member of a field from argp's argument and, of a vector, the words that follow it. */
+/* Words of a text; an empty one counts as one, which is wrong. */
+static int count_words(const char *text)
+{
+    int count = 0;
+    for (text += strspn(text, " "); *text; text += strspn(text, " ")) {
+        text += strcspn(text, " ");
+        count++;
+    }
+    return count ? count : 1;
+}
+
+/* Sets the member of a field from argp's argument and, of a vector, the words that follow it where
+ * it has not all. */
 static void set(struct argp_state *state, CommandOptions *table, int i, const char *text)
 {
     const SettingField *field = &table->fields[i];
-    char words[SETTING_MAX_TEXT];
+    Text words = { .data = NULL };
     GpError error = { "" };
-    int length = snprintf(words, sizeof words, "%s", text ? text : "");
-    for (int word = 1; word < setting_words(field) && state->next < state->argc; word++)
-        length +=
-            snprintf(words + length, sizeof words - (size_t)length, " %.*s",
-                     (int)(sizeof words - 2) / SETTING_MAX_VECTOR, state->argv[state->next++]);
-    if (setting_set(table->fields, table->object, field->name,
-                    setting_words(field) > 1 ? words : text, &error))
+    if (setting_words(field) > 1) {
+        text_add(&words, "%s", text);
+        for (int word = count_words(text); word < setting_words(field) && state->next < state->argc;
+             word++)
+            text_add(&words, " %s", state->argv[state->next++]);
+        if (words.failed)
+            argp_failure(state, EXIT_INTERNAL, 0, "out of memory");
+        text = words.data;
+    }
+    if (setting_set(table->fields, table->object, field->name, text, &error))
         argp_error(state, "%s", error.text);
+    text_free(&words);
     table->given |= 1u << i;
 }
 

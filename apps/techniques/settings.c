@@ -78,6 +78,12 @@ static bool read_name(const SettingField *field, const char *text, int *value)
     return false;
 }
 
+/* Nothing is 0 pixels wide. */
+static double least_of(const SettingField *field)
+{
+    return field->type == SETTING_SIZE && field->low < 1 ? 1 : field->low;
+}
+
 /* Decimal in one of the usual forms: no spaces, hexadecimal digits, infinities. */
 static bool read_number(const SettingField *field, const char *text, double *value)
 {
@@ -88,14 +94,14 @@ static bool read_number(const SettingField *field, const char *text, double *val
     if (end == text || *end || text[strspn(text, digits)])
         return false;
     *value = read;
-    return read >= field->low && read <= field->high;
+    return read >= least_of(field) && read <= field->high;
 }
 
-/* A word of a list, copied; the words end at any of these. */
+/* A word of a list, copied; the words end at any of these. One without room is no number. */
 static const char *next_word(const char *at, const char *ends, char word[32])
 {
     const size_t length = strcspn(at, ends);
-    snprintf(word, 32, "%.*s", (int)(length < 31 ? length : 31), at);
+    snprintf(word, 32, "%.*s%s", (int)(length < 32 ? length : 28), at, length < 32 ? "" : "...");
     return at + length;
 }
 
@@ -114,7 +120,7 @@ static bool read_size(const SettingField *field, const char *text, uint32_t size
     return true;
 }
 
-/* out  wrong: the first word that is none, on failure */
+/* out  wrong: the first word that is none, or is one too many, on failure */
 static bool read_vector(const SettingField *field, const char *text, double *vector, char wrong[32])
 {
     const char *at = text;
@@ -123,7 +129,9 @@ static bool read_vector(const SettingField *field, const char *text, double *vec
         if (!read_number(field, wrong, &vector[i]))
             return false;
     }
-    return true;
+    at += strspn(at, " ");
+    next_word(at, " ", wrong);
+    return *at == '\0';
 }
 
 /* "plain, hardware or soft", or with the same between all */
@@ -151,7 +159,7 @@ static void describe(const SettingField *field, char *text, size_t size)
     static const char *const numbers[] = { "", "a number", "two numbers", "three numbers",
                                            "four numbers" };
     char low[32], high[32];
-    text_of_number(field->low, low);
+    text_of_number(least_of(field), low);
     text_of_number(field->high, high);
     if (field->names)
         list_names(field, ", ", " or ", text, size);

@@ -234,9 +234,39 @@ static void stored_pictures_are_what_their_commands_draw(void **state)
     }
 }
 
+static void words_of_a_vector_stand_together_or_apart(void **state)
+{
+    (void)state;
+    static const char *const same[] = { "--from 20 40", "--from '20 40'", "--from='20 40'",
+                                        "--from=20 40", "--from ' 20  40 '" };
+    static const char *const wrong[][2] = {
+        { "--from 30 '20 foo'", "not 'foo'" },
+        { "--from '30 20 10'", "not '10'" },
+        { "--from 30 --measure", "'--measure'" },
+        { "--from '' 30 20", "not ''" },
+        { "--from 30", "not ''" },
+    };
+    static char first[sizeof out];
+    for (size_t i = 0; i < GP_COUNT(same); i++) {
+        assert_int_equal(
+            shell("glasspipe points %s builtin:knot --size 16x16 -q -o a.ppm", same[i]), 0);
+        if (i == 0)
+            strcpy(first, out);
+        assert_string_equal(out, first);
+    }
+    assert_int_equal(shell("glasspipe points builtin:knot --size 16x16 -q -o a.ppm"), 0);
+    assert_string_not_equal(out, first);
+    assert_int_equal(
+        shell("glasspipe points builtin:knot --from '30 20' --measure --size 16x16 -q -o a.ppm"),
+        0);
+    expect_contains(out, "covered pixels");
+    expect_all_refused(2, "points builtin:knot -o a.ppm", wrong, GP_COUNT(wrong));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        PROGRAM_TEST(words_of_a_vector_stand_together_or_apart),
         PROGRAM_TEST(wrong_arguments_are_usage_errors),
         PROGRAM_TEST(wrong_points_are_input_errors_of_one_line),
         PROGRAM_TEST(wrong_cameras_are_input_errors_of_one_line),

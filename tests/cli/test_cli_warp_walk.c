@@ -37,6 +37,8 @@ static void what_is_wrong_is_refused(void **state)
     expect_refused(3, "warp walk builtin:cat", "no builtin mesh 'cat'");
     expect_refused(2, "warp walk --objects 0", "--objects");
     expect_refused(2, "warp walk --frames 2000", "--frames");
+    expect_refused(2, "warp walk --size 0x10 --frames 1 --objects 1 --pixels 8", "each from 1 to");
+    expect_refused(2, "warp walk --size 16x0 --frames 1 --objects 1 --pixels 8", "not '16x0'");
     expect_refused(2, "warp walk -o a.txt", "-o ");
 }
 

@@ -104,6 +104,7 @@ typedef struct Whole {
     double place[3];
     bool fine;
     const char *file;
+    uint32_t wide[2];
 } Whole;
 
 static const SettingField whole_fields[] = {
@@ -112,6 +113,8 @@ static const SettingField whole_fields[] = {
       .count = 3 },
     { "fine", NULL, "How", SETTING_FLAG, .offset = offsetof(Whole, fine) },
     { "file", "FILE", "Of what", SETTING_TEXT, offsetof(Whole, file), .aside = true },
+    { "wide", "WxH", "Without a least", SETTING_SIZE, offsetof(Whole, wide), .high = 9,
+      .aside = true },
     { .name = NULL },
 };
 
@@ -157,6 +160,12 @@ static void other_types_tell_what_was_expected(void **state)
         { "place", "1 2", "--place: expected three numbers from -8 to 8, not ''" },
         { "place", "1 two 3", "not 'two'" },
         { "place", "1 2 8.5", "not '8.5'" },
+        { "place", "1 2 3 foo", "not 'foo'" },
+        { "place", "1 2 3 4", "not '4'" },
+        { "place", "1 2 1.0000000000000000000000000000000x",
+          "not '1.00000000000000000000000000...'" },
+        { "wide", "0x1", "--wide: expected WIDTHxHEIGHT, such as 1024x768, each from 1 to 9, not" },
+        { "wide", "1x0", "not '1x0'" },
     };
     for (size_t i = 0; i < GP_COUNT(wrong); i++) {
         Whole whole = whole_defaults;
