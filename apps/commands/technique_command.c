@@ -1,5 +1,6 @@
 #include "apps/commands/technique_command.h"
 
+#include "apps/commands/cache_file.h"
 #include "apps/commands/output.h"
 #include "apps/commands/progress.h"
 #include "apps/commands/technique_choice.h"
@@ -105,9 +106,10 @@ static GpResult check_output(TechniqueArgs *args, GpError *error)
                            field->name);
     if (technique->imply)
         technique->imply(args->settings.object, args->settings.given);
-    return technique->check ? technique->check(args->settings.object, args->settings.given,
-                                               args->extension, error)
-                            : GP_OK;
+    if (technique->check)
+        result =
+            technique->check(args->settings.object, args->settings.given, args->extension, error);
+    return result ? result : cache_file_check(technique->settings, args->settings.object, error);
 }
 
 /* --- the frame -------------------------------------------------------------------------------- */

@@ -40,9 +40,6 @@ static void a_cache_changes_no_picture(void **state)
     expect_drawn(knot, NULL);
     expect_files("a.png built.bin scene.json");
     expect_drawn(knot, NULL);
-    damage(3);
-    expect_drawn(knot, "built.bin: not a cache of points: built anew");
-    expect_drawn(knot, NULL);
     damage(9);
     expect_drawn(knot, "built.bin: a cache of another version: built anew");
     damage(2000);
@@ -100,6 +97,34 @@ static void a_cache_of_compressed_points_is_small(void **state)
     }
 }
 
+/* What is no cache is somebody's: the input itself, or any other file. */
+static void a_file_that_is_no_cache_is_left_alone(void **state)
+{
+    (void)state;
+    static const char points[] = "0 0 0 0 0 1 0.1\n1 0 0 0 0 1 0.1\n0 1 0 0 0 1 0.1\n";
+    static const char *const lines[] = {
+        "points pt.xyz --cache pt.xyz -o a.png",
+        "points builtin:knot --cache pt.xyz -o a.png",
+        "fragments builtin:ball --method convex --cache pt.xyz -o a.exr",
+        "inspect scene.json --technique fragments --method convex --cache pt.xyz -o a.html",
+    };
+    char text[sizeof points + 8];
+    write_file("pt.xyz", points);
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        expect_refused(2, lines[i], "--cache pt.xyz: the file is there, and is no cache");
+        read_file("pt.xyz", text, sizeof text);
+        assert_string_equal(text, points);
+    }
+    write_file("built.bin", "gpp");
+    expect_refused(2, "points builtin:knot --cache built.bin -o a.png", "is no cache");
+    hash[0] = '\0';
+    write_file("built.bin", "");
+    expect_drawn("builtin:knot --detail 1", "built.bin: not a cache of points: built anew");
+    expect_drawn("builtin:knot --detail 1", NULL);
+    damage(3);
+    expect_refused(2, "points builtin:knot --detail 1 --cache built.bin -o a.png", "is no cache");
+}
+
 static void a_cache_that_cannot_be_written_is_a_warning(void **state)
 {
     (void)state;
@@ -114,6 +139,7 @@ int main(void)
         PROGRAM_TEST(a_cache_changes_no_picture),
         PROGRAM_TEST(a_cache_of_other_points_is_written_over),
         PROGRAM_TEST(a_cache_of_compressed_points_is_small),
+        PROGRAM_TEST(a_file_that_is_no_cache_is_left_alone),
         PROGRAM_TEST(a_cache_that_cannot_be_written_is_a_warning),
     };
     return cmocka_run_group_tests(tests, find_program, NULL);

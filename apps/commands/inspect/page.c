@@ -1,5 +1,6 @@
 #include "apps/commands/inspect/page.h"
 
+#include "apps/commands/cache_file.h"
 #include "apps/commands/output.h"
 #include "apps/commands/progress.h"
 #include "apps/inspect/inspect.h"
@@ -84,6 +85,8 @@ static int open_technique(const InspectCommand *command, const char *path, void 
     if (technique->imply)
         technique->imply(setting, command->settings.given);
     if (technique->check && technique->check(setting, command->settings.given, "png", &error))
+        return report(EXIT_USAGE, "%s", error.text);
+    if (cache_file_check(technique->settings, setting, &error))
         return report(EXIT_USAGE, "%s", error.text);
     int code = options_device(&command->options, NULL, &device);
     if (code)
