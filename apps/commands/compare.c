@@ -244,7 +244,7 @@ static int read_pair(GpPool *pool, const Compare *compare, GpImage images[2])
 
 int cmd_compare(int argc, char **argv)
 {
-    Compare compare = { .scale = 1 };
+    Compare compare = { .scale = 1, .settings = comparison_defaults };
     CommandOptions limits = { .fields = comparison_fields, .object = &compare.settings };
     command_parse(&syntax, &limits, argc, argv, &compare);
     GpError error = { "" };

@@ -200,7 +200,7 @@ static int bless(const Test *test, const GoldenTask *task)
 int cmd_test(int argc, char **argv)
 {
     Test test = { .bless = NULL };
-    GoldenTask task = { .folder = NULL };
+    GoldenTask task = { .settings = comparison_defaults };
     CommandOptions limits = { .fields = comparison_fields, .object = &task.settings };
     command_parse(&syntax, &limits, argc, argv, &test);
     task.folder = test.folder[0];

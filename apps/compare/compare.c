@@ -50,8 +50,8 @@ static void add_row(const Picture *a, const Picture *b, const CompareLimits *lim
         }
         sums->max = largest > sums->max ? largest : sums->max;
         sums->differing++;
-        sums->failing += largest > limits->fail;
-        sums->warning += largest > limits->warn;
+        sums->failing += largest > fmax(limits->fail, 0);
+        sums->warning += limits->warn >= 0 && largest > limits->warn;
     }
 }
 
@@ -122,11 +122,10 @@ void compare_pictures(const Picture *a, const Picture *b, const CompareLimits *l
 
     /* With fail 0 a difference of bits alone (0 against -0) fails too. */
     uint64_t failing = limits->fail > 0 ? sums.failing : sums.differing;
-    report->failed = (double)failing > limits->fail_percent / 100 * pixels ||
-                     (limits->hard_fail > 0 && sums.max > limits->hard_fail);
-    report->warned =
-        (limits->warn > 0 && (double)sums.warning > limits->warn_percent / 100 * pixels) ||
-        (limits->hard_warn > 0 && sums.max > limits->hard_warn);
+    report->failed = (double)failing > fmax(limits->fail_percent, 0) / 100 * pixels ||
+                     (limits->hard_fail >= 0 && sums.max > limits->hard_fail);
+    report->warned = (double)sums.warning > fmax(limits->warn_percent, 0) / 100 * pixels ||
+                     (limits->hard_warn >= 0 && sums.max > limits->hard_warn);
 }
 
 CompareReport compare_same(uint32_t width, uint32_t height)

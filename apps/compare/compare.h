@@ -7,12 +7,12 @@
 enum { COMPARE_TILE = 64 }; /* pixels a side of the tiles that are ranked */
 
 /* Limits under the names of OpenImageIO's idiff; a pixel's difference is the largest of its
- * channels'. All zero: any difference fails. */
+ * channels'. Negative ones are not there; without any, any difference fails. */
 typedef struct CompareLimits {
-    double fail,
-        fail_percent; /* fails if more than this share of pixels differs by more than fail */
-    double hard_fail; /* fails if any pixel differs by more than this; 0: no such limit */
-    double warn, warn_percent, hard_warn; /* the same for a warning; warn 0: no warning */
+    /* fails if more than this share of pixels differs by more than fail; without: 0 */
+    double fail, fail_percent;
+    double hard_fail;                     /* fails if any pixel differs by more than this */
+    double warn, warn_percent, hard_warn; /* the same for a warning; without warn: none */
 } CompareLimits;
 
 typedef struct CompareReport {

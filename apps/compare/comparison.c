@@ -3,6 +3,16 @@
 #include <inttypes.h>
 #include <string.h>
 
+const ComparisonSettings comparison_defaults = {
+    .limits = { .fail = -1,
+                .fail_percent = -1,
+                .hard_fail = -1,
+                .warn = -1,
+                .warn_percent = -1,
+                .hard_warn = -1 },
+    .flip_fail = -1,
+};
+
 /* --- alpha ------------------------------------------------------------------------------------ */
 
 static bool has_alpha(const GpImage *image)
@@ -85,13 +95,13 @@ static GpResult see_flip(const Picture pictures[2], GpPool *pool, Comparison *ma
 static bool only_flip_judges(const ComparisonSettings *settings)
 {
     const CompareLimits *limits = &settings->limits;
-    return settings->flip_fail > 0 && limits->fail == 0 && limits->fail_percent == 0 &&
-           limits->hard_fail == 0;
+    return settings->flip_fail >= 0 && limits->fail < 0 && limits->fail_percent < 0 &&
+           limits->hard_fail < 0;
 }
 
 static bool flip_fails(const Comparison *comparison, const ComparisonSettings *settings)
 {
-    return settings->flip_fail > 0 && comparison->flip.mean > settings->flip_fail;
+    return settings->flip_fail >= 0 && comparison->flip.mean > settings->flip_fail;
 }
 
 static int channels_to_compare(const GpImage images[2], ComparedAlpha alpha)
@@ -161,7 +171,8 @@ static void say_count(const CompareReport *report, uint64_t count, Text *text)
              100.0 * (double)count / (double)report->pixels);
 }
 
-/* The first limit that was crossed, in the order of their table. */
+/* A limit that was crossed: FLIP's where no other was, then that of any pixel, then that of how
+ * many. */
 static void say_failure(const Comparison *comparison, const ComparisonSettings *settings,
                         Text *text)
 {
@@ -171,7 +182,7 @@ static void say_failure(const Comparison *comparison, const ComparisonSettings *
     if (!report->failed || only_flip_judges(settings)) {
         text_add(text, "the mean FLIP is %.6f, more than %g", comparison->flip.mean,
                  settings->flip_fail);
-    } else if (limits->hard_fail > 0 && report->max > limits->hard_fail) {
+    } else if (limits->hard_fail >= 0 && report->max > limits->hard_fail) {
         text_add(text, "a pixel differs by %.6g, more than the %g that any may", report->max,
                  limits->hard_fail);
     } else {

@@ -8,12 +8,15 @@
 
 typedef struct ComparisonSettings {
     CompareLimits limits;
-    /* fails if the mean FLIP is over this; 0: no such limit. Where there is no other limit, this
-     * one alone judges */
+    /* fails if the mean FLIP is over this; negative: no such limit. Where there is no other limit,
+     * this one alone judges */
     double flip_fail;
     double pixels_per_degree; /* 0: FLIP_PIXELS_PER_DEGREE */
     bool no_alpha;            /* alpha is not compared */
 } ComparisonSettings;
+
+/* Without limits. */
+extern const ComparisonSettings comparison_defaults;
 
 /* Which pictures have alpha, and whether it was compared. */
 typedef enum ComparedAlpha {

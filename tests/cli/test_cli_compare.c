@@ -109,6 +109,19 @@ static void the_verdict_is_said_in_words(void **state)
         { "k.ppm w.ppm --flipfail 0.5", "different: the mean FLIP is 0.967380, more than 0.5", 1 },
         { "k.ppm w.ppm --fail 0.1 --flipfail 0.99",
           "different: 2 of 2 pixels (100 %) differ by more than 0.1", 1 },
+        /* 0 is a limit as any other */
+        { "k.ppm w.ppm --fail 0 --flipfail 0.99", "different: 2 of 2 pixels (100 %) differ", 1 },
+        { "k.ppm w.ppm --failpercent 0 --flipfail 0.99", "different: 2 of 2 pixels (100 %) differ",
+          1 },
+        { "k.ppm w.ppm --fail 1 --hardfail 0",
+          "different: a pixel differs by 1, more than the 0 that any may", 1 },
+        { "k.ppm w.ppm --fail 1 --flipfail 0", "different: the mean FLIP is 0.967380, more than 0",
+          1 },
+        { "k.ppm w.ppm --flipfail 0", "different: the mean FLIP is 0.967380, more than 0", 1 },
+        { "k.ppm w.ppm --fail 1",
+          "within the limits: 2 of 2 pixels (100 %) differ, the farthest "
+          "by 1",
+          0 },
     };
     write_file("a.ppm", "P6 2 1 255\nabcabc");
     write_file("b.ppm", "P6 2 1 255\nabcabf");
@@ -118,6 +131,12 @@ static void the_verdict_is_said_in_words(void **state)
         assert_int_equal(shell("glasspipe compare %s", rows[i].arguments), rows[i].code);
         expect_first_line(rows[i].line);
     }
+    assert_int_equal(shell("glasspipe compare k.ppm w.ppm --fail 1 --hardwarn 0"), 0);
+    expect_contains(err, "warning: the pictures differ by more than the warning limits");
+    assert_int_equal(shell("glasspipe compare k.ppm w.ppm --fail 1 --warn 0"), 0);
+    expect_contains(err, "warning: the pictures differ by more than the warning limits");
+    assert_int_equal(shell("glasspipe compare k.ppm w.ppm --fail 1 --warnpercent 0"), 0);
+    assert_string_equal(err, "");
 }
 
 /* --- alpha ------------------------------------------------------------------------------------ */

@@ -37,7 +37,28 @@ static CompareReport compare(const CompareLimits *limits)
     return report;
 }
 
-static const CompareLimits no_limits;
+static const CompareLimits no_limits = { -1, -1, -1, -1, -1, -1 };
+
+/* So much, of so many per cent; of any; negative: no limit. */
+static CompareReport compare_fail(double fail, double percent, double hard)
+{
+    CompareLimits limits = no_limits;
+    limits.fail = fail;
+    limits.fail_percent = percent;
+    limits.hard_fail = hard;
+    return compare(&limits);
+}
+
+/* The same of warnings, where nothing below 1 fails. */
+static CompareReport compare_warn(double warn, double percent, double hard)
+{
+    CompareLimits limits = no_limits;
+    limits.fail = 1;
+    limits.warn = warn;
+    limits.warn_percent = percent;
+    limits.hard_warn = hard;
+    return compare(&limits);
+}
 
 static void same_bits_differ_nowhere(void **state)
 {
@@ -89,7 +110,7 @@ static void negative_zero_differs_in_bits_only(void **state)
     assert_true(report.failed);
     assert_int_equal(report.differing, 1);
     assert_true(report.max == 0);
-    assert_false(compare(&(CompareLimits){ .fail = 1e-6 }).failed);
+    assert_false(compare_fail(1e-6, -1, -1).failed);
 }
 
 static void equal_nans_are_the_same_and_a_nan_against_a_number_is_infinitely_far(void **state)
@@ -99,7 +120,7 @@ static void equal_nans_are_the_same_and_a_nan_against_a_number_is_infinitely_far
     pair.a[3] = pair.b[3] = gp_bits_float(0x7fc00000u);
     assert_true(compare(&no_limits).same);
     pair.b[3] = 1;
-    CompareReport report = compare(&(CompareLimits){ .fail = 1e30 });
+    CompareReport report = compare_fail(1e30, -1, -1);
     assert_true(report.failed);
     assert_true(isinf(report.max));
     assert_int_equal(report.first_x, 1);
@@ -114,19 +135,28 @@ static void tolerances_work_as_idiff_defines_them(void **state)
     for (uint32_t i = 0; i < 5; i++)
         *b_at(i, 0, 0) = 0.25f; /* five of a hundred pixels */
 
-    assert_true(compare(&(CompareLimits){ .fail = 0.125 }).failed);
-    assert_int_equal(compare(&(CompareLimits){ .fail = 0.125 }).failing, 5);
-    assert_false(compare(&(CompareLimits){ .fail = 0.25 }).failed); /* more than, not as much */
-    assert_false(compare(&(CompareLimits){ .fail = 0.125, .fail_percent = 5 }).failed);
-    assert_true(compare(&(CompareLimits){ .fail = 0.125, .fail_percent = 4.9 }).failed);
-    assert_false(compare(&(CompareLimits){ .fail_percent = 5 }).failed);
-    assert_true(compare(&(CompareLimits){ .fail_percent = 5, .hard_fail = 0.2 }).failed);
-    assert_false(compare(&(CompareLimits){ .fail_percent = 5, .hard_fail = 0.25 }).failed);
+    assert_true(compare_fail(0.125, -1, -1).failed);
+    assert_int_equal(compare_fail(0.125, -1, -1).failing, 5);
+    assert_false(compare_fail(0.25, -1, -1).failed); /* more than, not as much */
+    assert_false(compare_fail(0.125, 5, -1).failed);
+    assert_true(compare_fail(0.125, 4.9, -1).failed);
+    assert_false(compare_fail(-1, 5, -1).failed);
+    assert_true(compare_fail(-1, 5, 0.2).failed);
+    assert_false(compare_fail(-1, 5, 0.25).failed);
 
-    assert_false(compare(&(CompareLimits){ .fail = 1 }).warned);
-    assert_true(compare(&(CompareLimits){ .fail = 1, .warn = 0.125 }).warned);
-    assert_false(compare(&(CompareLimits){ .fail = 1, .warn = 0.125, .warn_percent = 5 }).warned);
-    assert_true(compare(&(CompareLimits){ .fail = 1, .hard_warn = 0.125 }).warned);
+    /* 0 is a limit like any other */
+    assert_true(compare_fail(1, -1, 0).failed);
+    assert_true(compare_fail(0, 4.9, -1).failed);
+    assert_false(compare_fail(0, 5, -1).failed);
+
+    assert_false(compare_fail(1, -1, -1).warned);
+    assert_true(compare_warn(0.125, -1, -1).warned);
+    assert_false(compare_warn(0.125, 5, -1).warned);
+    assert_true(compare_warn(-1, -1, 0.125).warned);
+    assert_true(compare_warn(-1, -1, 0).warned);
+    assert_true(compare_warn(0, -1, -1).warned);
+    assert_false(compare_warn(0, 5, -1).warned);
+    assert_false(compare_warn(-1, 0, -1).warned);
 }
 
 /* SSIM of the definition: every window by itself, weights by their two-dimensional formula, central

@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-static const ComparisonSettings no_settings;
-
 /* Samples of any bits: infinite and not numbers too, where the type has them. */
 static GpImage make_image(uint32_t side, uint32_t channels, GpImageType type)
 {
@@ -23,7 +21,7 @@ static GpImage make_image(uint32_t side, uint32_t channels, GpImageType type)
 static Comparison compare(const GpImage images[2], bool views, Picture pictures[2])
 {
     Comparison made;
-    assert_int_equal(comparison_make(images, views, &no_settings, pool, pictures, &made, NULL),
+    assert_int_equal(comparison_make(images, views, &comparison_defaults, pool, pictures, &made, NULL),
                      GP_OK);
     return made;
 }

@@ -8,7 +8,6 @@
 #include <math.h>
 
 static const char *const names[2] = { "a<b>.png", "\"c\" & d.png" };
-static const ComparisonSettings no_settings;
 
 static GpImage make_image(uint32_t width, uint32_t height, uint32_t channels, float value)
 {
@@ -27,11 +26,11 @@ static Text make_page(GpImage a, GpImage b)
     Picture pictures[2];
     Comparison comparison;
     Text page = { .data = NULL };
-    assert_int_equal(comparison_make(images, true, &no_settings, pool, pictures, &comparison, NULL),
+    assert_int_equal(comparison_make(images, true, &comparison_defaults, pool, pictures, &comparison, NULL),
                      GP_OK);
     gp_image_free(&images[0]);
     gp_image_free(&images[1]);
-    assert_int_equal(comparison_page(names, pictures, &comparison, &no_settings, &page, NULL),
+    assert_int_equal(comparison_page(names, pictures, &comparison, &comparison_defaults, &page, NULL),
                      GP_OK);
     comparison_free(&comparison);
     picture_free(&pictures[0]);
