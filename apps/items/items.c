@@ -31,18 +31,23 @@ uint32_t items_at_once(const ItemRun *run)
 
 /* --- this process's threads ------------------------------------------------------------------- */
 
-static ItemsCode give_and_take(Ledger *ledger, Drawers *drawers, GpError *error)
+/* in     most: items that may be drawn at once */
+static ItemsCode give_and_take(Ledger *ledger, Drawers *drawers, uint32_t most, GpError *error)
 {
     ItemsCode code = ITEMS_DONE;
-    uint32_t item;
+    uint32_t item, at_work = 0;
     while (!ledger_is_done(ledger) && !code) {
-        for (int free = drawers_find_free(drawers, 0); free >= 0;
+        for (int free = drawers_find_free(drawers, 0); free >= 0 && at_work < most;
              free = drawers_find_free(drawers, free + 1))
-            if (ledger_next(ledger, free, &item)) /* what is drawn twice is not for all */
+            if (ledger_next(ledger, free, &item)) { /* what is drawn twice is not for all */
                 drawers_give(drawers, free, item);
+                at_work++;
+            }
         Drawn drawn;
-        if (drawers_wait(drawers, 0.1, &drawn))
+        if (drawers_wait(drawers, 0.1, &drawn)) {
+            at_work--;
             code = ledger_put(ledger, &drawn, drawn.drawer, error);
+        }
         if (!code)
             code = ledger_look_at_time(ledger, error);
     }
@@ -61,7 +66,10 @@ static ItemsCode run_here(const ItemWork *work, const ItemRun *run, GpError *err
     ItemsCode code = ledger_open(work, &own, (int)count, &ledger, error);
     if (!code)
         code = drawers_start(work, &run->device, count, run->verify > 0 ? 2 : 1,
-                             threads > count ? threads / count : 1, &drawers, error);
+                             work->measures    ? threads
+                             : threads > count ? threads / count
+                                               : 1,
+                             &drawers, error);
     const bool tells_who = run->verify > 0 || run->timeout > 0;
     for (uint32_t i = 0; i < count && !code && tells_who; i++) {
         char label[LEDGER_LABEL];
@@ -69,7 +77,7 @@ static ItemsCode run_here(const ItemWork *work, const ItemRun *run, GpError *err
         ledger_name_worker(ledger, (int)i, label);
     }
     if (!code)
-        code = give_and_take(ledger, drawers, error);
+        code = give_and_take(ledger, drawers, work->measures ? 1 : count, error);
     drawers_stop(&drawers, code != ITEMS_INTERNAL || run->timeout <= 0 || run->end);
     return ledger_close(&ledger, code, error);
 }

@@ -17,6 +17,8 @@ typedef struct Numbers {
     uint32_t fails, breaks; /* items, from 1, that cannot be drawn, and taken; 0: none */
     bool differs;           /* each drawing is another */
     unsigned sleep_us;
+    atomic_int at_once, most_at_once; /* drawings */
+    atomic_int threads;               /* of the device that drew last */
 } Numbers;
 
 static void tell(const void *context, uint32_t item, char name[ITEM_NAME])
@@ -36,7 +38,12 @@ static GpResult draw(const void *context, uint32_t item, const ItemTools *tools,
 {
     Numbers *numbers = (Numbers *)context;
     assert_non_null(tools->device);
+    const int at_once = atomic_fetch_add(&numbers->at_once, 1) + 1;
+    if (at_once > numbers->most_at_once)
+        numbers->most_at_once = at_once;
+    numbers->threads = gp_device_threads(tools->device);
     usleep(numbers->sleep_us);
+    atomic_fetch_sub(&numbers->at_once, 1);
     const int drawing = atomic_fetch_add(&numbers->drawn, 1);
     if (numbers->fails == item + 1)
         return gp_fail(error, GP_ERROR_IO, "nothing to read");
@@ -139,6 +146,26 @@ static void items_are_drawn_twice_to_be_compared(void **state)
     assert_int_equal(items_run(&work, &run, &error), ITEMS_DONE);
     assert_all_taken(&numbers);
     assert_in_range(numbers.drawn, COUNT + 2, 2 * COUNT - 10);
+}
+
+/* What is measured has the machine for itself, whatever is drawn twice. */
+static void measured_items_are_drawn_alone_by_all_threads(void **state)
+{
+    (void)state;
+    for (int verify = 0; verify <= 100; verify += 50) {
+        Numbers numbers = { .sleep_us = 200 };
+        ItemWork work = work_of(&numbers);
+        ItemRun run = with_threads(3);
+        GpError error = { "" };
+        run.verify = verify;
+        work.measures = true;
+        work.in_order = true;
+        assert_int_equal(items_run(&work, &run, &error), ITEMS_DONE);
+        assert_all_taken(&numbers);
+        assert_int_equal(numbers.most_at_once, 1);
+        assert_int_equal(numbers.threads, 3);
+        assert_true(numbers.drawn == COUNT || (verify > 0 && numbers.drawn > COUNT));
+    }
 }
 
 /* --- what goes wrong -------------------------------------------------------------------------- */
@@ -287,6 +314,7 @@ int main(void)
         cmocka_unit_test(the_longest_is_drawn_first),
         cmocka_unit_test(work_in_order_is_taken_in_order),
         cmocka_unit_test(items_are_drawn_twice_to_be_compared),
+        cmocka_unit_test(measured_items_are_drawn_alone_by_all_threads),
         cmocka_unit_test(drawings_that_differ_name_who_drew_them),
         cmocka_unit_test(a_failure_ends_the_run_and_names_the_item),
         cmocka_unit_test(a_device_that_is_not_here_is_refused_before_anything_is_drawn),
