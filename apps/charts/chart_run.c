@@ -267,8 +267,11 @@ static GpResult run_opened(Run *run)
     if (!result)
         result = sweep_all(run);
     run->chart.others = machine_others(&load);
-    if (!result && job->folder)
-        result = write_pictures(run);
+    if (result || !job->folder)
+        return result;
+    result = write_pictures(run);
+    if (job->is_unwritten)
+        *job->is_unwritten = result == GP_ERROR_IO;
     return result;
 }
 

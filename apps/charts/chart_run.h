@@ -17,6 +17,7 @@ typedef struct ChartJob {
     GpDevice *device;
     /* settings are items, by this; NULL: drawn one after the other by the device */
     const ItemRun *run;
+    bool *is_unwritten; /* out: GP_ERROR_IO is of a picture that could not be written; or NULL */
     ChartListener listener;
 } ChartJob;
 

@@ -1,4 +1,5 @@
 /* glasspipe bench: frames that other renderers can draw too, against the clock. */
+#include "apps/base/folder.h"
 #include "apps/bench/cases.h"
 #include "apps/bench/floor.h"
 #include "apps/commands/paper_tables.h"
@@ -10,11 +11,9 @@
 #include "apps/frame/timing.h"
 #include "pipeline/io/image/image_file.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 enum { MAX_CASES = 128, MIN_FRAMES = 20 };
 
@@ -110,8 +109,8 @@ static GpResult write_image(const char *directory, const char *name, const uint8
                             uint32_t width, uint32_t height, GpError *error)
 {
     char path[4096];
-    if (mkdir(directory, 0777) != 0 && errno != EEXIST)
-        return gp_fail(error, GP_ERROR_IO, "%s: %s", directory, strerror(errno));
+    if (folder_make(directory, error))
+        return GP_ERROR_IO;
     if (snprintf(path, sizeof path, "%s/%s.png", directory, name) >= (int)sizeof path)
         return gp_fail(error, GP_ERROR_IO, "%s: the path is too long", directory);
     size_t pixels = (size_t)width * height;

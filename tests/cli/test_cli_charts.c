@@ -184,6 +184,48 @@ static void a_chart_of_ones_own_sweeps_what_is_named(void **state)
     expect_matches(file, ">(plain|hardware): map (32|64), bias 0.01?");
 }
 
+/* Times of other conditions are others. The second setting takes longer than it may. */
+static void a_journal_is_of_the_same_measurements(void **state)
+{
+    (void)state;
+    static const char line[] = "chart shadow small.json --map 16,8192 --method plain -o charts "
+                               "--executor reference -t 0 --timeout 1 --resume";
+    static const char *const others[] = { "-t 0.1", "--executor fast", "--isa sse2" };
+    write_file("small.json", small);
+    assert_int_equal(shell("glasspipe %s", line), 4);
+    expect_contains(err, "--map 8192: thread 1 has not drawn it in 1 s");
+    for (size_t i = 0; i < GP_COUNT(others); i++) {
+        const int code = shell("glasspipe %s %s", line, others[i]);
+        if (code == 2 && strstr(err, "isa"))
+            continue; /* this machine has none */
+        assert_int_equal(code, 3);
+        expect_contains(err, "glasspipe-chart.journal: of other work");
+    }
+    assert_int_equal(shell("glasspipe %s", line), 4);
+}
+
+static void charts_that_cannot_be_written_are_told_so(void **state)
+{
+    (void)state;
+    static const char line[] = "chart shadow small.json --map 16 --method plain -t 0";
+    char long_name[256];
+    write_file("small.json", small);
+    write_file("file", "");
+    assert_int_equal(shell("glasspipe %s -o file", line), 4);
+    expect_contains(err, "file: Not a directory");
+    assert_int_equal(shell("glasspipe %s -o no/where", line), 4);
+    expect_contains(err, "no/where: No such file or directory");
+    assert_int_equal(
+        shell("mkdir -p charts/shadow_small_own_1.png && glasspipe %s -o charts", line), 4);
+    expect_contains(err, "charts/shadow_small_own_1.png: ");
+    snprintf(long_name, sizeof long_name, "%s --name %064d", line, 0);
+    expect_refused(2, long_name, "--name: expected at most 63 bytes");
+    assert_int_equal(shell("glasspipe bench clear -t 0 --images file"), 4);
+    expect_contains(err, "file: Not a directory");
+    assert_int_equal(shell("glasspipe test . --report file"), 4);
+    expect_contains(err, "file: Not a directory");
+}
+
 static void lists_of_volumes_and_their_names(void **state)
 {
     (void)state;
@@ -314,6 +356,8 @@ int main(void)
         PROGRAM_TEST(a_chart_is_believed_only_where_that_is_asked_for),
         PROGRAM_TEST(an_error_that_no_setting_reaches_is_said_and_the_best_is_drawn),
         PROGRAM_TEST(a_chart_of_ones_own_sweeps_what_is_named),
+        PROGRAM_TEST(a_journal_is_of_the_same_measurements),
+        PROGRAM_TEST(charts_that_cannot_be_written_are_told_so),
         PROGRAM_TEST(lists_of_volumes_and_their_names),
         PROGRAM_TEST(visibility_is_written_and_read_back),
         PROGRAM_TEST(visibility_is_of_one_light),

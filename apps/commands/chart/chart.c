@@ -1,6 +1,7 @@
 /* glasspipe chart: speed against accuracy of a technique's settings. */
 #include "apps/commands/chart/chart.h"
 
+#include "apps/base/folder.h"
 #include "apps/base/text.h"
 #include "apps/charts/chart_file.h"
 #include "apps/charts/chart_page.h"
@@ -12,11 +13,11 @@
 #include "apps/commands/output.h"
 #include "apps/commands/progress.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <xxhash.h>
+
+enum { CHART_MAX_NAME = 64 };
 
 typedef struct ChartCommand {
     Options options; /* first: see options.h */
@@ -67,6 +68,9 @@ static void check(struct argp_state *state, void *args)
         argp_error(state, "no technique '%s' (there are: %s)", command->name, list);
     if (command->own_name && (!command->own_name[0] || strchr(command->own_name, '/')))
         argp_error(state, "--name: expected a name without '/', not '%s'", command->own_name);
+    if (command->own_name && strlen(command->own_name) >= CHART_MAX_NAME)
+        argp_error(state, "--name: expected at most %d bytes, not '%s'", CHART_MAX_NAME - 1,
+                   command->own_name);
     if (!command->scaling) {
         chart_sweep_check(state, command->sweep);
         if (command->sweep->rows && strcmp(command->sweep->experiment->name, command->name) != 0)
@@ -166,15 +170,17 @@ static int write_all(const ChartCommand *command, const char *name, const Chart 
     return EXIT_DONE;
 }
 
-/* How settings are drawn. A journal is of this experiment on this scene. */
+/* How settings are drawn. A journal is of this experiment on this scene, measured so long and
+ * so. */
 static ItemRun items_of(const ChartCommand *command, const ChartJob *job,
                         const ChartListener *listener)
 {
     ItemRun run = options_items(&command->options);
     const TechniqueSweep *sweep = job->experiment->sweep;
     Text text = { .data = NULL };
-    text_add(&text, "%s %s %s %ux%u", GP_VERSION, job->experiment->name, job->scene, job->width,
-             job->height);
+    text_add(&text, "%s %s %s %ux%u %.17g %d %s %d", GP_VERSION, job->experiment->name, job->scene,
+             job->width, job->height, job->seconds, gp_device_threads(job->device),
+             gp_device_isa(job->device), (int)command->options.executor);
     for (size_t i = 0; sweep[i].method; i++)
         text_add(&text, "; %s", sweep[i].options);
     run.key = XXH3_64bits(text.data ? text.data : "", text.length);
@@ -199,7 +205,7 @@ static int chart_accuracy(const ChartCommand *command, GpDevice *device,
     if (command->sweep->rows)
         job.experiment = &command->sweep->own;
     job.scene = command->scene ? command->scene : job.experiment->scene;
-    char name[64];
+    char name[CHART_MAX_NAME];
     Chart chart = { .points = NULL };
     GpError error = { "" };
     chart_name(job.experiment, job.scene, name, sizeof name);
@@ -210,8 +216,10 @@ static int chart_accuracy(const ChartCommand *command, GpDevice *device,
     job.name = name;
     const ItemRun run = items_of(command, &job, listener);
     job.run = &run;
+    bool is_unwritten = false;
+    job.is_unwritten = &is_unwritten;
     GpResult result = chart_run(&job, &chart, &error);
-    int code = result ? report(exit_of_run(result), "%s", error.text)
+    int code = result ? report(is_unwritten ? EXIT_INTERNAL : exit_of_run(result), "%s", error.text)
                       : write_all(command, name, &chart, NULL);
     if (!code)
         code = command->options.json ? output_json(chart_json(&chart)) : print_best(&chart);
@@ -222,7 +230,7 @@ static int chart_accuracy(const ChartCommand *command, GpDevice *device,
 static int chart_scaling(const ChartCommand *command, GpDevice *device,
                          const ChartListener *listener)
 {
-    char name[64];
+    char name[CHART_MAX_NAME];
     Scaling scaling = { .points = NULL };
     GpError error = { "" };
     snprintf(name, sizeof name, "%s_scaling", command->name);
@@ -246,8 +254,9 @@ static int run_command(const ChartCommand *command)
     int code = options_device(&command->options, NULL, &device);
     if (code)
         return code;
-    if (mkdir(command->folder, 0777) != 0 && errno != EEXIST)
-        code = report(EXIT_INTERNAL, "%s: %s", command->folder, strerror(errno));
+    GpError error = { "" };
+    if (folder_make(command->folder, &error))
+        code = report(EXIT_INTERNAL, "%s", error.text);
     else
         code = (command->scaling ? chart_scaling : chart_accuracy)(command, device, &listener);
     gp_device_destroy(&device);

@@ -1,13 +1,12 @@
 #include "apps/commands/inspect/lessons.h"
 
+#include "apps/base/folder.h"
 #include "apps/commands/output.h"
 #include "apps/inspect/lesson_course.h"
 #include "pipeline/io/file.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 /* A lesson's page; course: which it is one of, or NULL */
 static int inspect_lesson(const InspectCommand *command, Lesson *lesson, const char *path,
@@ -93,8 +92,8 @@ static int inspect_course(const InspectCommand *command)
     if (result)
         return report(exit_of_input(result), "%s", error.text);
     int code = EXIT_DONE;
-    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
-        code = report(EXIT_INTERNAL, "%s: %s", folder, strerror(errno));
+    if (folder_make(folder, &error))
+        code = report(EXIT_INTERNAL, "%s", error.text);
     for (uint32_t i = 0; i < course.count && !code; i++)
         code = inspect_of_course(command, &course, i, folder);
     if (!code)
