@@ -3,7 +3,16 @@
 #include "apps/base/machine.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
+
+/* A terminal on which a line can be wiped. */
+static bool can_wipe(void)
+{
+    const char *term = getenv("TERM");
+    return isatty(STDERR_FILENO) && term && strcmp(term, "dumb") != 0;
+}
 
 Progress progress_begin(const Options *options)
 {
@@ -14,7 +23,7 @@ void progress_tell(const void *user, uint32_t done, uint32_t total, const char *
 {
     const Progress *progress = user;
     const bool is_long = machine_clock_ms(CLOCK_MONOTONIC) - progress->start_ms > 1000;
-    if (progress->options->quiet || !is_long || !isatty(STDERR_FILENO))
+    if (progress->options->quiet || !is_long || !can_wipe())
         return;
     if (done < total)
         fprintf(stderr, "\r\033[K%u/%u %s", done + 1, total, text);

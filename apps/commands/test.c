@@ -1,16 +1,15 @@
 /* glasspipe test: the scenes of a folder against what is stored beside them. */
+#include "apps/base/content.h"
+#include "apps/base/folder.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
+#include "apps/commands/progress.h"
 #include "apps/golden/golden_folder.h"
 #include "apps/golden/limits.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#include <xxhash.h>
 
 typedef struct Test {
     Options options;       /* first: see options.h */
@@ -58,13 +57,6 @@ static const CommandSyntax syntax = {
 };
 
 /* --- results ---------------------------------------------------------------------------------- */
-
-static void show_progress(const void *user, uint32_t done, uint32_t count, const char *name)
-{
-    (void)user;
-    (void)name;
-    fprintf(stderr, "\r%u of %u%s", done, count, done == count ? "\n" : "");
-}
 
 static void print_results(const Test *test, const GoldenFolder *folder)
 {
@@ -134,6 +126,8 @@ static int tell(const Test *test, const GoldenFolder *folder)
         code = write_junit(test, folder);
     if (code)
         return code;
+    if (folder->unwritten)
+        return EXIT_INTERNAL;
     if (folder->states[GOLDEN_BROKEN])
         return EXIT_INPUT;
     return folder->states[GOLDEN_SAME] == folder->count ? EXIT_DONE : EXIT_DIFFERS;
@@ -141,26 +135,33 @@ static int tell(const Test *test, const GoldenFolder *folder)
 
 /* --- testing ---------------------------------------------------------------------------------- */
 
-/* Of what is asked: a journal of other scenes is none of this. */
-static uint64_t key_of(const Test *test, const GoldenFolder *folder)
+/* Of what is asked: a journal of other scenes, or of what was held against others, is none of
+ * this. */
+static uint64_t key_of(const GoldenTask *task, const GoldenFolder *folder)
 {
-    XXH3_state_t state;
-    XXH3_64bits_reset(&state);
-    XXH3_64bits_update(&state, GP_VERSION, sizeof GP_VERSION);
-    XXH3_64bits_update(&state, test->folder[0], strlen(test->folder[0]) + 1);
-    XXH3_64bits_update(&state, test->options.size, sizeof test->options.size);
-    for (uint32_t i = 0; i < folder->count; i++)
-        XXH3_64bits_update(&state, folder->scenes[i].name, strlen(folder->scenes[i].name) + 1);
-    return XXH3_64bits_digest(&state);
+    const char *texts[] = { GP_VERSION, task->folder, task->reports ? task->reports : "" };
+    uint64_t key = content_hash_bytes(task->size, sizeof task->size, 0);
+    for (size_t i = 0; i < GP_COUNT(texts); i++)
+        key = content_hash_bytes(texts[i], strlen(texts[i]) + 1, key);
+    for (const SettingField *field = comparison_fields; field->name; field++)
+        key = content_hash_bytes((const char *)&task->settings + field->offset,
+                                 setting_bytes(field), key);
+    for (uint32_t i = 0; i < folder->count; i++) {
+        const char *name = folder->scenes[i].name;
+        key = golden_stored_hash(task, name, content_hash_bytes(name, strlen(name) + 1, key));
+    }
+    return key;
 }
 
 static int run(const Test *test, const GoldenTask *task, GoldenFolder *folder)
 {
     GpError error = { "" };
+    const Progress progress = progress_begin(&test->options);
     ItemRun items = options_items(&test->options);
     items.journal = "glasspipe-test.journal";
-    items.key = key_of(test, folder);
-    items.progress = isatty(STDERR_FILENO) && !test->options.quiet ? show_progress : NULL;
+    items.key = items.resume || items_are_shared() ? key_of(task, folder) : 0; /* as it is read */
+    items.progress = progress_tell;
+    items.user = &progress;
     const int code = golden_folder_run(task, &items, folder, &error);
     return code ? report(code, "%s", error.text) : tell(test, folder);
 }
@@ -172,9 +173,8 @@ static int test_folder(const Test *test, const GoldenTask *task)
     const GpResult result = golden_folder_open(task->folder, test->folder[1], &folder, &error);
     if (result)
         return report(exit_of_input(result), "%s", error.text);
-    if (task->reports && mkdir(task->reports, 0777) && errno != EEXIST)
-        return report(EXIT_INTERNAL, "%s: %s", task->reports, strerror(errno));
-    const int code = run(test, task, &folder);
+    const bool is_made = !task->reports || !folder_make(task->reports, &error);
+    const int code = is_made ? run(test, task, &folder) : report(EXIT_INTERNAL, "%s", error.text);
     golden_folder_free(&folder);
     return code;
 }
@@ -187,9 +187,10 @@ static int bless(const Test *test, const GoldenTask *task)
     int code = options_device(&test->options, NULL, &device);
     if (code)
         return code;
-    const GpResult result = golden_bless(task, test->bless, device, &wrote, &error);
+    bool is_unwritten = false;
+    const GpResult result = golden_bless(task, test->bless, device, &wrote, &is_unwritten, &error);
     if (result)
-        code = report(result == GP_ERROR_IO ? EXIT_INPUT : exit_of_run(result), "%s", error.text);
+        code = report(is_unwritten ? EXIT_INTERNAL : exit_of_run(result), "%s", error.text);
     else
         printf("%s", wrote.data ? wrote.data : "");
     text_free(&wrote);
@@ -206,7 +207,12 @@ int cmd_test(int argc, char **argv)
     task.folder = test.folder[0];
     task.reports = test.reports;
     memcpy(task.size, test.options.size, sizeof task.size);
-    if (test.bless && (test.folder[1] || test.junit || test.reports))
+    const Options *of = &test.options;
+    if (test.bless && (test.folder[1] || test.junit || test.reports || limits.given))
         return report(EXIT_USAGE, "--bless stores one scene, and tests none");
+    if (test.bless && (of->json || of->resume || of->verify > 0 || of->timeout > 0))
+        return report(EXIT_USAGE,
+                      "--json, --resume, --verify and --timeout are of tests: --bless stores one "
+                      "scene");
     return test.bless ? bless(&test, &task) : test_folder(&test, &task);
 }

@@ -1,5 +1,6 @@
 #include "apps/golden/golden.h"
 
+#include "apps/base/content.h"
 #include "apps/base/machine.h"
 #include "apps/compare/comparison_page.h"
 #include "apps/golden/limits.h"
@@ -97,8 +98,10 @@ static GpResult read_line(const char *path, char *line, size_t size, GpError *er
     if (!result && (file.size >= size || memchr(file.data, '\0', file.size)))
         result = gp_fail(error, GP_ERROR_FORMAT, "%s: expected one line of text", path);
     if (!result) {
-        snprintf(line, size, "%s", file.data);
-        line[strcspn(line, "\r\n")] = '\0';
+        const size_t length = strcspn(file.data, "\r\n");
+        snprintf(line, size, "%.*s", (int)length, file.data);
+        if (file.data[length + strspn(file.data + length, "\r\n\t ")] != '\0')
+            result = gp_fail(error, GP_ERROR_FORMAT, "%s: expected one line of text", path);
     }
     gp_file_free(&file);
     return result;
@@ -123,6 +126,13 @@ static GpResult check_hash(Run *run, const char *path, GpError *error)
     return GP_OK;
 }
 
+/* Notes that the report could not be written. */
+static GpResult written(const Run *run, GpResult result)
+{
+    run->result->is_unwritten = run->result->is_unwritten || result;
+    return result;
+}
+
 static GpResult write_page(const Run *run, const char *path, const Picture pair[2],
                            const Comparison *comparison, GpError *error)
 {
@@ -134,7 +144,7 @@ static GpResult write_page(const Run *run, const char *path, const Picture pair[
     path_of(run->task->reports, run->name, "html", name);
     GpResult result = comparison_page(names, pair, comparison, &run->settings, &page, error);
     if (!result)
-        result = text_write(name, &page, error);
+        result = written(run, text_write(name, &page, error));
     text_free(&page);
     return result;
 }
@@ -198,7 +208,7 @@ static GpResult write_drawn(const Run *run, GpError *error)
     if (!run->task->reports || run->result->state == GOLDEN_SAME)
         return GP_OK;
     path_of(run->task->reports, run->name, "png", path);
-    return picture_write_surface(path, run->scene->picture, false, run->pool, error);
+    return written(run, picture_write_surface(path, run->scene->picture, false, run->pool, error));
 }
 
 static GpResult check(Run *run, GpError *error)
@@ -216,6 +226,23 @@ static GpResult check(Run *run, GpError *error)
         text_add(&run->result->message, "nothing is stored; --bless %s stores it", run->name);
     }
     return result ? result : write_drawn(run, error);
+}
+
+uint64_t golden_stored_hash(const GoldenTask *task, const char *name, uint64_t seed)
+{
+    static const char *const others[] = { "hash", "limits" };
+    for (size_t i = 0; i < GP_COUNT(others) + GP_COUNT(pictures); i++) {
+        const bool is_other = i < GP_COUNT(others);
+        const char *extension = is_other ? others[i] : pictures[i - GP_COUNT(others)];
+        char path[MAX_PATH];
+        GpFile file = { .data = NULL };
+        GpError unused;
+        seed = content_hash_bytes(extension, strlen(extension), seed);
+        if (find_stored(task, name, extension, path) && !gp_file_read(path, &file, &unused))
+            seed = content_hash_bytes(file.data, file.size, seed);
+        gp_file_free(&file);
+    }
+    return seed;
 }
 
 GpResult golden_run(const GoldenTask *task, const char *name, GpDevice *device, GpPool *pool,
@@ -256,7 +283,7 @@ static GpResult write_hash(const char *path, const GpSurface *surface, Text *wro
 }
 
 GpResult golden_bless(const GoldenTask *task, const char *name, GpDevice *device, Text *wrote,
-                      GpError *error)
+                      bool *is_unwritten, GpError *error)
 {
     char hash[MAX_PATH], picture[MAX_PATH];
     Scene scene;
@@ -273,6 +300,7 @@ GpResult golden_bless(const GoldenTask *task, const char *name, GpDevice *device
         text_add(wrote, "%s\n", picture);
     if (!result && (has_hash || !has_picture))
         result = write_hash(hash, scene.picture, wrote, error);
+    *is_unwritten = result != GP_OK;
     if (!result && wrote->failed)
         result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     scene_free(&scene);

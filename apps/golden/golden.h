@@ -17,7 +17,7 @@ typedef enum GoldenState {
     GOLDEN_SAME,    /* as stored, or within the limits */
     GOLDEN_DIFFERS, /* from what is stored */
     GOLDEN_MISSING, /* nothing is stored */
-    GOLDEN_BROKEN,  /* the scene, or what is stored, cannot be read or drawn */
+    GOLDEN_BROKEN, /* the scene, or what is stored, cannot be read or drawn; or its report not written */
     GOLDEN_STATES
 } GoldenState;
 
@@ -35,7 +35,8 @@ typedef struct GoldenTask {
 /* One scene's result. */
 typedef struct GoldenResult {
     GoldenState state;
-    Text message; /* one line; empty of GOLDEN_SAME with the same bits. Owned, text_free */
+    Text message;      /* one line; empty of GOLDEN_SAME with the same bits. Owned, text_free */
+    bool is_unwritten; /* broken, since its report could not be written */
     double seconds;
 } GoldenResult;
 
@@ -47,9 +48,14 @@ GpResult golden_run(const GoldenTask *task, const char *name, GpDevice *device, 
 
 /* Draws the scene and stores it: in those of the files that are there, else as .hash and .png.
  * out    wrote: a line for each file; text_free
+ *        is_unwritten: the error is of what was to be written
  * errors those of scene_load, gp_device_run and gp_file_write; what was stored then stays or is
  *        whole */
 GpResult golden_bless(const GoldenTask *task, const char *name, GpDevice *device, Text *wrote,
-                      GpError *error);
+                      bool *is_unwritten, GpError *error);
+
+/* Hash of what is stored beside a scene: its line, its picture, its limits. in: seed: what was
+ * hashed before */
+uint64_t golden_stored_hash(const GoldenTask *task, const char *name, uint64_t seed);
 
 #endif

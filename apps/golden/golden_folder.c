@@ -92,6 +92,8 @@ void golden_folder_free(GoldenFolder *folder)
 
 /* --- running ---------------------------------------------------------------------------------- */
 
+enum { UNWRITTEN = 64 }; /* added to a state that comes with it */
+
 typedef struct Runs {
     const GoldenTask *task;
     GoldenFolder *folder;
@@ -120,7 +122,7 @@ static GpResult draw(const void *context, uint32_t item, const ItemTools *tools,
     if (golden_run(runs->task, runs->folder->scenes[item].name, tools->device, tools->pool, &result,
                    error))
         return GP_ERROR_MEMORY;
-    const uint32_t state = result.state;
+    const uint32_t state = result.state + (result.is_unwritten ? UNWRITTEN : 0u);
     gp_bytes_append(bytes, &state, sizeof state);
     if (result.message.data)
         gp_bytes_append(bytes, result.message.data, result.message.length);
@@ -137,10 +139,12 @@ static GpResult take(void *context, uint32_t item, const void *bytes, size_t siz
     const size_t rest = sizeof state + sizeof result->seconds;
     if (size >= rest)
         memcpy(&state, bytes, sizeof state);
+    const bool is_unwritten = state >= UNWRITTEN;
+    state -= is_unwritten ? UNWRITTEN : 0u;
     if (state >= GOLDEN_STATES)
         return gp_fail(error, GP_ERROR_FORMAT, "the result of a scene came damaged");
     const char *message = (const char *)bytes + sizeof state;
-    *result = (GoldenResult){ .state = (GoldenState)state };
+    *result = (GoldenResult){ .state = (GoldenState)state, .is_unwritten = is_unwritten };
     if (size > rest)
         text_add(&result->message, "%.*s", (int)(size - rest), message);
     memcpy(&result->seconds, message + (size - rest), sizeof result->seconds);
@@ -159,8 +163,10 @@ int golden_folder_run(const GoldenTask *task, const ItemRun *run, GoldenFolder *
                             .draw = draw,
                             .take = take };
     const ItemsCode code = items_run(&work, run, error);
-    for (uint32_t i = 0; i < folder->count && !code; i++)
+    for (uint32_t i = 0; i < folder->count && !code; i++) {
         folder->states[folder->scenes[i].result.state]++;
+        folder->unwritten += folder->scenes[i].result.is_unwritten;
+    }
     folder->seconds = (machine_clock_ms(CLOCK_MONOTONIC) - begin) / 1e3;
     return (int)code;
 }

@@ -16,6 +16,7 @@ typedef struct GoldenFolder {
     GoldenScene *scenes; /* [count], by name */
     uint32_t count;
     uint32_t states[GOLDEN_STATES]; /* how many came out so */
+    uint32_t unwritten;             /* how many of the broken have a report that was not written */
     double seconds;                 /* wall clock of all together */
 } GoldenFolder;
 

@@ -119,6 +119,11 @@ static void pictures_hold_within_the_limits_of_the_command_and_of_the_scene(void
     write_file("set/a.limits", "--fail 0.001 --failpercent 1\n");
     assert_int_equal(shell("glasspipe test set --fail 0.02"), 1);
     expect_contains(out, "differ by more than 0.001; 1 % may");
+    write_file("set/a.limits", "--fail 1\n--hardfail 0.001\n");
+    assert_int_equal(shell("glasspipe test set"), 3);
+    expect_contains(out, "set/a.limits: expected one line of text");
+    write_file("set/a.limits", "--fail 1\r\n \n\n");
+    assert_int_equal(shell("glasspipe test set"), 0);
     write_file("set/a.limits", "--fial 0.1\n");
     assert_int_equal(shell("glasspipe test set"), 3);
     expect_contains(out, "set/a.limits: no option '--fial'");
@@ -149,6 +154,13 @@ static void wrong_uses_have_their_codes(void **state)
     (void)state;
     expect_refused(2, "test", "expected a folder of scenes");
     expect_refused(2, "test . --bless scene --junit x.xml", "--bless stores one scene");
+    static const char *const tests[] = { "--json", "--resume", "--verify 5", "--timeout 1" };
+    for (size_t i = 0; i < GP_COUNT(tests); i++) {
+        char arguments[64];
+        snprintf(arguments, sizeof arguments, "test . --bless scene %s", tests[i]);
+        expect_refused(2, arguments, "--json, --resume, --verify and --timeout are of tests");
+    }
+    expect_refused(2, "test . --bless scene --fail 0.1", "--bless stores one scene");
     expect_refused(2, "test . --fail x", "--fail");
     expect_refused(3, "test nowhere", "nowhere: No such file");
     expect_refused(3, "test . nothing", ".: no scene nothing.json");
@@ -158,8 +170,57 @@ static void wrong_uses_have_their_codes(void **state)
     expect_files("empty scene.json");
 }
 
+static void what_cannot_be_written_has_its_code(void **state)
+{
+    (void)state;
+    make_scenes(2);
+    assert_int_equal(shell("mkdir set/s00.hash"), 0);
+    assert_int_equal(shell("glasspipe test set --bless s00"), 4);
+    expect_contains(err, "set/s00.hash: ");
+    assert_int_equal(shell("rmdir set/s00.hash && glasspipe test set --bless s00"), 0);
+    assert_int_equal(shell("mkdir -p r/s01.png && glasspipe test set --report r"), 4);
+    expect_contains(out, "broken   s01  r/s01.png: ");
+    expect_contains(out, "1 of 2 scenes as stored, 1 broken");
+    assert_int_equal(shell("glasspipe test set s00 --report set/s00.json"), 4);
+    expect_contains(err, "set/s00.json: Not a directory");
+    assert_int_equal(shell("glasspipe test set s00 --report no/where"), 4);
+}
+
+/* What was found by other limits, or against other pictures, is not what is asked for. The slow
+ * scene takes longer than it may. */
+static void a_journal_is_of_what_is_asked_for(void **state)
+{
+    (void)state;
+    static const char line[] = "glasspipe test set --executor reference --threads 2 --timeout 1 "
+                               "--resume";
+    static const char *const others[] = {
+        "--fail 1",   "--fail 1 --failpercent 50", "--flipfail 0", "--ppd 60", "--no-alpha",
+        "--report r",
+    };
+    static const char *const files[] = { "s00.limits", "s00.hash", "s00.png", "s01.exr" };
+    make_scenes(2);
+    bless("s00");
+    assert_int_equal(shell("sed 's/64, 48/6144, 6144/' scene.json >set/slow.json"), 0);
+    assert_int_equal(shell("%s", line), 4);
+    expect_contains(err, "slow: thread ");
+    for (size_t i = 0; i < GP_COUNT(others); i++) {
+        assert_int_equal(shell("%s %s", line, others[i]), 3);
+        expect_contains(err, "glasspipe-test.journal: of other work");
+    }
+    for (size_t i = 0; i < GP_COUNT(files); i++) {
+        assert_int_equal(shell("touch set/%s && cp set/%s kept && echo >>set/%s && %s", files[i],
+                               files[i], files[i], line),
+                         3);
+        expect_contains(err, "glasspipe-test.journal: of other work");
+        assert_int_equal(
+            shell("mv kept set/%s && test -s set/%s || rm set/%s", files[i], files[i], files[i]),
+            0);
+    }
+    assert_int_equal(shell("%s", line), 4);
+}
+
 /* A terminal of util-linux's `script`, which runs a line on it. */
-static void progress_is_shown_on_a_terminal_alone(void **state)
+static void progress_is_shown_on_a_terminal_alone_and_after_a_second(void **state)
 {
     (void)state;
     make_scenes(2);
@@ -168,10 +229,23 @@ static void progress_is_shown_on_a_terminal_alone(void **state)
         print_message("# skipped: no script (bsdutils)\n");
         skip();
     }
-    assert_int_equal(shell("script -qec \"'%s' test set\" typescript >screen </dev/null", binary),
-                     1);
-    read_file("screen", out, sizeof out);
-    expect_contains(out, "\r2 of 2");
+    static const struct {
+        const char *term, *options;
+        bool shown;
+    } rows[] = {
+        { "xterm", "", false }, /* a moment */
+        { "xterm", "--executor reference --threads 1 --size 6144x6144", true },
+        { "dumb", "--executor reference --threads 1 --size 6144x6144", false },
+    };
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        assert_int_equal(
+            shell("TERM=%s script -qec \"'%s' test set %s\" typescript >screen </dev/null",
+                  rows[i].term, binary, rows[i].options),
+            1);
+        read_file("screen", out, sizeof out);
+        assert_true((strstr(out, "\r\033[K2/2 ") != NULL) == rows[i].shown);
+        assert_null(strstr(out, "2 of 2\r"));
+    }
 }
 
 static void a_hundred_small_scenes_take_a_moment(void **state)
@@ -227,7 +301,9 @@ int main(void)
         PROGRAM_TEST(pictures_hold_within_the_limits_of_the_command_and_of_the_scene),
         PROGRAM_TEST(reports_show_what_differs),
         PROGRAM_TEST(wrong_uses_have_their_codes),
-        PROGRAM_TEST(progress_is_shown_on_a_terminal_alone),
+        PROGRAM_TEST(what_cannot_be_written_has_its_code),
+        PROGRAM_TEST(a_journal_is_of_what_is_asked_for),
+        PROGRAM_TEST(progress_is_shown_on_a_terminal_alone_and_after_a_second),
         PROGRAM_TEST(a_hundred_small_scenes_take_a_moment),
         PROGRAM_TEST(the_pages_example_runs_as_it_is_printed),
     };
