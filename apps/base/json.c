@@ -1,5 +1,7 @@
 #include "apps/base/json.h"
 
+#include "apps/base/text.h"
+
 #include <math.h>
 
 json_t *json_number(double value)
@@ -24,7 +26,16 @@ json_t *json_floats(const float *values, int count)
 
 json_t *json_text(const char *text)
 {
-    return text ? json_string(text) : json_null();
+    if (!text)
+        return json_null();
+    json_t *string = json_string(text);
+    if (string)
+        return string;
+    Text valid = { .data = NULL };
+    text_add_utf8(&valid, text);
+    string = valid.failed ? NULL : json_string(valid.data);
+    text_free(&valid);
+    return string;
 }
 
 long long json_whole_of(const json_t *object, const char *key)

@@ -13,7 +13,7 @@ json_t *json_milliseconds(double value);
 /* An array of count floats. */
 json_t *json_floats(const float *values, int count);
 
-/* A string, or null for NULL. */
+/* A string, or null for NULL; what is no UTF-8, as names of files may be, is U+FFFD in it. */
 json_t *json_text(const char *text);
 
 /* Members that are there. */

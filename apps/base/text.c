@@ -43,16 +43,54 @@ void text_add(Text *text, const char *format, ...)
     text->length += (size_t)length;
 }
 
+/* By the table of well-formed sequences: the second byte alone tells of too long ones, of surrogates
+ * and of what is beyond U+10FFFF. source Unicode 15, table 3-7 */
+int text_utf8_bytes(const char *text)
+{
+    const unsigned char *at = (const unsigned char *)text;
+    const unsigned lead = at[0];
+    const int bytes = lead < 0x80                    ? lead > 0
+                      : lead >= 0xc2 && lead <= 0xdf ? 2
+                      : lead >= 0xe0 && lead <= 0xef ? 3
+                      : lead >= 0xf0 && lead <= 0xf4 ? 4
+                                                     : 0;
+    const unsigned low = lead == 0xe0 ? 0xa0 : lead == 0xf0 ? 0x90 : 0x80;
+    const unsigned high = lead == 0xed ? 0x9f : lead == 0xf4 ? 0x8f : 0xbf;
+    if (bytes > 1 && (at[1] < low || at[1] > high))
+        return 0;
+    for (int i = 2; i < bytes; i++)
+        if ((at[i] & 0xc0) != 0x80)
+            return 0;
+    return bytes;
+}
+
+/* Adds a character as it is; returns its bytes. */
+static size_t add_character(Text *text, const char *at)
+{
+    const int bytes = text_utf8_bytes(at);
+    if (bytes)
+        text_add(text, "%.*s", bytes, at);
+    else
+        text_add(text, "\xef\xbf\xbd");
+    return bytes ? (size_t)bytes : 1;
+}
+
+void text_add_utf8(Text *text, const char *bytes)
+{
+    while (*bytes)
+        bytes += add_character(text, bytes);
+}
+
 static void add_plain(Text *text, const char *plain)
 {
     static const char special[] = "&<>\"'";
     static const char *const entities[] = { "&amp;", "&lt;", "&gt;", "&quot;", "&#39;" };
-    for (; *plain; plain++) {
+    while (*plain) {
         const char *found = strchr(special, *plain);
-        if (found)
-            text_add(text, "%s", entities[found - special]);
-        else
-            text_add(text, "%c", (unsigned char)*plain < ' ' && *plain != '\n' ? ' ' : *plain);
+        const bool is_control = (unsigned char)*plain < ' ' && *plain != '\n';
+        if (found || is_control)
+            text_add(text, "%s", found ? entities[found - special] : " ");
+        plain += found || is_control ? 1 : add_character(text, plain);
     }
 }
 

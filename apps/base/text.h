@@ -13,8 +13,15 @@ typedef struct Text {
 
 void text_add(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Bytes of the character of UTF-8 that a text begins with; 0: there is none. Names of files hold any
+ * bytes. */
+int text_utf8_bytes(const char *text);
+
+/* Adds what may be no UTF-8, with U+FFFD for each byte that is none. */
+void text_add_utf8(Text *text, const char *bytes);
+
 /* For the content and the quoted attributes of XML and HTML: what stands for %s is escaped, & < > "
- * ', and control characters, which XML cannot hold, become spaces.
+ * ', and control characters, which XML cannot hold, become spaces, and what is no UTF-8 U+FFFD.
  * in   format: with %s %d %u %f %g, their width and precision, and %% */
 void text_add_escaped(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

@@ -1,5 +1,6 @@
 #include "apps/commands/output.h"
 
+#include "apps/base/json.h"
 #include "apps/base/text.h"
 #include "apps/frame/picture.h"
 #include "pipeline/io/file.h"
@@ -60,9 +61,9 @@ static int print_object(const Output *output, uint64_t hash)
     }
     json_object_update(object, output->members);
     add_rate(output, object);
-    json_object_set_new(object, "file", json_string(output->path));
+    json_object_set_new(object, "file", json_text(output->path));
     if (output->alpha_path)
-        json_object_set_new(object, output->alpha_name, json_string(output->alpha_path));
+        json_object_set_new(object, output->alpha_name, json_text(output->alpha_path));
     return output_json(object);
 }
 

@@ -1,6 +1,7 @@
 /* glasspipe test: the scenes of a folder against what is stored beside them. */
 #include "apps/base/content.h"
 #include "apps/base/folder.h"
+#include "apps/base/json.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
@@ -83,8 +84,8 @@ static void print_results(const Test *test, const GoldenFolder *folder)
 
 static int print_json(const Test *test, const GoldenFolder *folder)
 {
-    json_t *object =
-        json_pack("{s:s, s:I}", "folder", test->folder[0], "scenes", (json_int_t)folder->count);
+    json_t *object = json_pack("{s:o, s:I}", "folder", json_text(test->folder[0]), "scenes",
+                               (json_int_t)folder->count);
     for (int state = 0; state < GOLDEN_STATES; state++)
         json_object_set_new(object, golden_state_name((GoldenState)state),
                             json_integer((json_int_t)folder->states[state]));
@@ -92,11 +93,11 @@ static int print_json(const Test *test, const GoldenFolder *folder)
     json_t *results = json_array();
     for (uint32_t i = 0; i < folder->count; i++) {
         const GoldenResult *result = &folder->scenes[i].result;
-        json_array_append_new(results,
-                              json_pack("{s:s, s:s, s:s, s:f}", "name", folder->scenes[i].name,
-                                        "state", golden_state_name(result->state), "message",
-                                        result->message.data ? result->message.data : "", "seconds",
-                                        result->seconds));
+        json_array_append_new(
+            results, json_pack("{s:o, s:s, s:o, s:f}", "name", json_text(folder->scenes[i].name),
+                               "state", golden_state_name(result->state), "message",
+                               json_text(result->message.data ? result->message.data : ""),
+                               "seconds", result->seconds));
     }
     json_object_set_new(object, "results", results);
     return output_json(object);

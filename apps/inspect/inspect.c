@@ -108,13 +108,13 @@ static json_t *tell_frame(Record *record, Blobs *blobs)
     for (int i = 0; i < FRAGMENT_VERDICTS; i++)
         json_array_append_new(verdicts, json_string(fragment_verdict_names[i]));
     const GpSurface *picture = inspect->picture;
-    json_t *frame = json_pack("{s:i, s:s, s:o, s:i, s:i, s:i, s:o, s:i, s:[iiii], s:i}", "form", 1,
-                              "title", inspect->title, "about", json_text(inspect->about),
-                              "picture", picture ? targets_number(&record->targets, picture) : -1,
-                              "width", picture ? (int)picture->width : 0, "height",
-                              picture ? (int)picture->height : 0, "verdicts", verdicts, "grid",
-                              (int)record->step, "region", inspect->region.x0, inspect->region.y0,
-                              inspect->region.x1, inspect->region.y1, "dense", (int)inspect->draw);
+    json_t *frame = json_pack(
+        "{s:i, s:o, s:o, s:i, s:i, s:i, s:o, s:i, s:[iiii], s:i}", "form", 1, "title",
+        json_text(inspect->title), "about", json_text(inspect->about), "picture",
+        picture ? targets_number(&record->targets, picture) : -1, "width",
+        picture ? (int)picture->width : 0, "height", picture ? (int)picture->height : 0, "verdicts",
+        verdicts, "grid", (int)record->step, "region", inspect->region.x0, inspect->region.y0,
+        inspect->region.x1, inspect->region.y1, "dense", (int)inspect->draw);
     json_object_set_new(frame, "share", json_real(record->share));
     json_object_set_new(frame, "technique", json_text(inspect->technique));
     json_object_set_new(frame, "differing", count_differing(picture, inspect->beside));

@@ -321,9 +321,9 @@ GpResult lesson_tell(const Lesson *lesson, const Record *record, Blobs *blobs, j
     if (!result) {
         lesson_hash(lesson, text, hash);
         *told = json_pack(
-            "{s:s, s:s, s:s, s:s, s:i, s:i, s:i, s:o, s:o, s:s, s:o, s:o, s:o, s:s, s:i, s:o, s:s, "
+            "{s:o, s:s, s:s, s:s, s:i, s:i, s:i, s:o, s:o, s:s, s:o, s:o, s:o, s:s, s:i, s:o, s:s, "
             "s:o, s:o, s:o, s:i, s:i}",
-            "name", lesson->name, "title", lesson->title, "learn", lesson->learn, "unit",
+            "name", json_text(lesson->name), "title", lesson->title, "learn", lesson->learn, "unit",
             lesson->unit, "pass", lesson->pass < 0 ? (int)record->pass_count - 1 : lesson->pass,
             "x", lesson->x, "y", lesson->y, "draw", json_incref(json_object_get(values, "draw")),
             "triangle", json_incref(json_object_get(values, "primitive")), "question",

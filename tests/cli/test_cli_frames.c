@@ -92,12 +92,57 @@ static void windows_are_whole_numbers_inside_the_picture(void **state)
     expect_matches(out, "^hash [^\n]* 16x16 [0-9a-f]{16}\n$");
 }
 
+/* --- names ------------------------------------------------------------------------------------ */
+
+/* Names of files are any bytes; what is printed and written is UTF-8. */
+static void names_that_are_no_utf_8_are_told_with_what_stands_for_it(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *line, *part;
+        int code;
+    } rows[] = {
+        { "render scene.json --turn 2 -o $(printf 'q\\376#.ppm') --size 8x8",
+          "\"file\": \"q\xef\xbf\xbd"
+          "0.ppm\"",
+          0 },
+        { "render scene.json -o $(printf 'q\\376.ppm') --size 8x8",
+          "\"file\": \"q\xef\xbf\xbd.ppm\"", 0 },
+        { "test $(printf 'p\\377')", "\"folder\": \"p\xef\xbf\xbd\"", 1 },
+        { "warp capture builtin:cube --size 16x16 -o $(printf 'c\\376.exr')",
+          "\"file\": \"c\xef\xbf\xbd.exr\"", 0 },
+        { "inspect $(printf 'p\\377/c\\376.json') -o $(printf 'c\\376.html')",
+          "\"page\": \"c\xef\xbf\xbd.html\"", 0 },
+    };
+    assert_int_equal(shell("d=$(printf 'p\\377'); mkdir \"$d\"; sed 's/64, 48/8, 8/' scene.json "
+                           ">\"$d/$(printf 'c\\376').json\""),
+                     0);
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        const int code = shell("glasspipe %s --json -q", rows[i].line);
+        if (code != rows[i].code)
+            fail_msg("%s: %d\n%s", rows[i].line, code, err);
+        json_decref(parse_output());
+        expect_contains(out, rows[i].part);
+    }
+    expect_contains((read_file("c\376.html", out, sizeof out), out),
+                    "<title>c\xef\xbf\xbd - glasspipe inspect</title>");
+    assert_int_equal(shell("glasspipe test $(printf 'p\\377') --junit j.xml"), 1);
+    read_file("j.xml", out, sizeof out);
+    expect_contains(out, "classname=\"p\xef\xbf\xbd\" name=\"c\xef\xbf\xbd\"");
+    assert_int_equal(shell("a=$(printf 'q\\376.ppm'); cp $a b.ppm; glasspipe compare $a b.ppm "
+                           "--report r.html"),
+                     0);
+    read_file("r.html", out, sizeof out);
+    expect_contains(out, "q\xef\xbf\xbd.ppm against b.ppm");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         PROGRAM_TEST(a_path_has_the_frames_up_to_its_last_key),
         PROGRAM_TEST(a_path_that_ends_before_frame_0_or_after_any_is_an_input_error),
         PROGRAM_TEST(frames_are_whole_numbers_within_their_limit),
+        PROGRAM_TEST(names_that_are_no_utf_8_are_told_with_what_stands_for_it),
         PROGRAM_TEST(windows_are_whole_numbers_inside_the_picture),
     };
     return cmocka_run_group_tests_name("frames", tests, find_program, NULL);

@@ -1,6 +1,7 @@
 #include "apps/commands/inspect/lessons.h"
 
 #include "apps/base/folder.h"
+#include "apps/base/json.h"
 #include "apps/commands/output.h"
 #include "apps/inspect/lesson_course.h"
 #include "pipeline/io/file.h"
@@ -75,8 +76,8 @@ static int write_index(const InspectCommand *command, const Course *course, cons
     if (result)
         return report(EXIT_INTERNAL, "%s", error.text);
     if (command->options.json)
-        return output_json(
-            json_pack("{s:s, s:I}", "index", path, "lessons", (json_int_t)course->count));
+        return output_json(json_pack("{s:o, s:I}", "index", json_text(path), "lessons",
+                                     (json_int_t)course->count));
     notice(&command->options, "%s: %u lessons", path, course->count);
     return EXIT_DONE;
 }

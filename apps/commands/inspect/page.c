@@ -1,5 +1,6 @@
 #include "apps/commands/inspect/page.h"
 
+#include "apps/base/json.h"
 #include "apps/commands/cache_file.h"
 #include "apps/commands/output.h"
 #include "apps/commands/progress.h"
@@ -166,7 +167,8 @@ int inspect_write(const InspectCommand *command, const char *path, const Drawn *
     if (result)
         return report(EXIT_INTERNAL, "%s", error.text);
     if (command->options.json)
-        return output_json(json_pack("{s:s, s:I}", "page", path, "bytes", (json_int_t)bytes));
+        return output_json(
+            json_pack("{s:o, s:I}", "page", json_text(path), "bytes", (json_int_t)bytes));
     notice(&command->options, "%s: %.1f MB", path, (double)bytes / 1e6);
     return EXIT_DONE;
 }

@@ -1,5 +1,6 @@
 #include "apps/commands/render/sequence.h"
 
+#include "apps/base/json.h"
 #include "apps/base/text.h"
 #include "apps/commands/output.h"
 #include "apps/commands/progress.h"
@@ -135,9 +136,9 @@ static json_t *json_of(const FrameResult *result, const char *file)
 {
     char hash[17];
     snprintf(hash, sizeof hash, "%016llx", (unsigned long long)result->hash);
-    return json_pack("{s:s, s:i, s:i, s:s, s:s}", "format", gp_format_info(result->format)->name,
+    return json_pack("{s:s, s:i, s:i, s:s, s:o}", "format", gp_format_info(result->format)->name,
                      "width", (int)result->width, "height", (int)result->height, "hash", hash,
-                     "file", file);
+                     "file", json_text(file));
 }
 
 static int tell_json(const Frames *frames)

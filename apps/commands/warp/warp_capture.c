@@ -1,5 +1,6 @@
 /* glasspipe warp capture: depth images as files, of meshes, scenes and pictures with depth. */
 #include "apps/commands/warp/capture_args.h"
+#include "apps/base/json.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
@@ -210,7 +211,7 @@ static int say(const CaptureArgs *args, const char *file, const DepthModel *mode
     }
     if (args->options.json)
         return output_json(
-            json_pack("{s:s, s:s, s:o}", "hash", hash, "file", file, "images", images));
+            json_pack("{s:s, s:o, s:o}", "hash", hash, "file", json_text(file), "images", images));
     json_decref(images);
     return EXIT_DONE;
 }

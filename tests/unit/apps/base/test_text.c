@@ -88,6 +88,46 @@ static void names_are_cut_out_of_paths(void **state)
     }
 }
 
+static void bytes_that_are_no_character_are_replaced(void **state)
+{
+    (void)state;
+    static const char *const good[] = { "a",
+                                        "\x7f",
+                                        "\xc2\x80",
+                                        "\xdf\xbf",
+                                        "\xe0\xa0\x80",
+                                        "\xed\x9f\xbf",
+                                        "\xee\x80\x80",
+                                        "\xf0\x90\x80\x80",
+                                        "\xf4\x8f\xbf\xbf" };
+    /* alone, too long, a surrogate, beyond U+10FFFF, cut */
+    static const char *const bad[] = { "",
+                                       "\x80",
+                                       "\xc0\x80",
+                                       "\xc1\xbf",
+                                       "\xff",
+                                       "\xe0\x9f\xbf",
+                                       "\xed\xa0\x80",
+                                       "\xc3",
+                                       "\xe2\x82",
+                                       "\xc3\x28",
+                                       "\xf0\x8f\xbf\xbf",
+                                       "\xf0\x90\x80",
+                                       "\xf4\x90\x80\x80",
+                                       "\xf5\x80\x80\x80",
+                                       "\xe2\x28\xa1" };
+    for (size_t i = 0; i < GP_COUNT(good); i++)
+        assert_int_equal(text_utf8_bytes(good[i]), strlen(good[i]));
+    for (size_t i = 0; i < GP_COUNT(bad); i++)
+        assert_int_equal(text_utf8_bytes(bad[i]), 0);
+    Text text = { .data = NULL };
+    text_add_utf8(&text, "a\xff\xc3\xa9\xed\xa0z");
+    text_add_escaped(&text, "|%s|", "<\xfe\xe2\x82\xac\xc3");
+    assert_string_equal(text.data, "a\xef\xbf\xbd\xc3\xa9\xef\xbf\xbd\xef\xbf\xbdz|&lt;"
+                                   "\xef\xbf\xbd\xe2\x82\xac\xef\xbf\xbd|");
+    text_free(&text);
+}
+
 static void what_is_copied_is_utf_8(void **state)
 {
     (void)state;
@@ -131,6 +171,7 @@ int main(void)
         cmocka_unit_test(numbers_are_written_as_people_do),
         cmocka_unit_test(whole_numbers_are_plain_digits),
         cmocka_unit_test(names_are_cut_out_of_paths),
+        cmocka_unit_test(bytes_that_are_no_character_are_replaced),
         cmocka_unit_test(what_is_copied_is_utf_8),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
