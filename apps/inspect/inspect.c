@@ -24,9 +24,10 @@ static GpResult run_fast(Record *record, json_t **timings, GpError *error)
 {
     const Inspect *inspect = record->inspect;
     GpDevice *device = NULL;
-    GpResult result = gp_device_create(
-        &(GpDeviceDesc){ .threads = inspect->threads, .timed = !inspect->no_timings }, &device,
-        error);
+    GpResult result = gp_device_create(&(GpDeviceDesc){ .threads = inspect->threads,
+                                                        .isa = inspect->isa,
+                                                        .timed = !inspect->no_timings },
+                                       &device, error);
     for (int run = 0; run < (inspect->no_timings ? 1 : 2) && !result; run++) {
         targets_restore(&record->targets);
         result = gp_device_run(device, inspect->list, error);

@@ -56,6 +56,7 @@ typedef struct Inspect {
     const Lesson *lesson;
     bool no_timings;
     int threads;
+    const char *isa; /* of the fast executor; NULL: automatic */
     /* Hears how far the work is. NULL: nobody does */
     void (*progress)(const void *user, uint32_t done, uint32_t total, const char *text);
     const void *user;

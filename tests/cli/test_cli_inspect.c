@@ -109,6 +109,28 @@ static void a_lesson_that_asks_for_nothing_is_refused(void **state)
     expect_files("scene.json scene.lesson.json");
 }
 
+/* The fast executor, which a page is held against, is that of the instruction set. */
+static void an_instruction_set_that_is_not_here_is_refused(void **state)
+{
+    (void)state;
+    static const char *const names[] = { "sse2", "avx2", "avx512", "neon" };
+    int refused = 0;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const int code = shell("glasspipe render scene.json -q -o a.ppm --isa %s", names[i]);
+        assert_int_equal(shell(INSPECT "-o a.html --isa %s", names[i]), code);
+        refused += code == 2;
+        if (code)
+            continue;
+        assert_int_equal(
+            shell("glasspipe inspect scene.json -q --pixels 40 -o a.html --isa %s", names[i]), 0);
+        char words[32];
+        snprintf(words, sizeof words, "\"isa\":\"%s\"", names[i]);
+        read_file("a.html", page, sizeof page);
+        expect_contains(page, words);
+    }
+    assert_true(refused > 0); /* no machine has all */
+}
+
 static void what_cannot_be_is_refused(void **state)
 {
     (void)state;
@@ -125,6 +147,19 @@ static void what_cannot_be_is_refused(void **state)
     expect_refused(2, "inspect scene.json --truth", "--truth");
     expect_refused(3, "inspect nope.json", "nope.json");
     expect_refused(4, "inspect scene.json -q --pixels 1 -o nope/page.html", "nope/page.html");
+    expect_refused(2, "inspect scene.json -o .", "-o .: expected the name of a file");
+    expect_refused(2, "inspect scene.json -o ''", "-o : expected the name of a file");
+    expect_refused(2, "inspect --lesson scene.lesson.json -o .", "-o .: expected the name");
+    expect_refused(2, "inspect scene.json --techn shadow", "--technique is to be written out");
+    expect_refused(2, "inspect scene.json --technique shadow --technique warp", "to name one");
+    expect_refused(2, "inspect scene.json --region 100 100 5 5", "no pass draws there");
+    expect_refused(2, "inspect scene.json --region 64 0 5 5", "no pass draws there");
+    expect_refused(2, "inspect scene.json --region 1.5 1 5 5", "whole numbers, not '1.5'");
+    expect_refused(2, "inspect scene.json --region 1 1 5 0", "a width and a height from 1");
+    expect_refused(2, "inspect scene.json --draw 1", "--draw 1: the last pass has 1 draw");
+    expect_refused(2, "inspect scene.json --technique shadow --draw 999", "--draw 999: the last");
+    expect_refused(3, "inspect nope.json --technique shadow", "glasspipe: nope.json: ");
+    assert_null(strstr(err, "nope.json: nope.json"));
     expect_files("scene.json");
 }
 
@@ -138,6 +173,7 @@ int main(void)
         PROGRAM_TEST(techniques_have_their_options_and_frames_are_compared),
         PROGRAM_TEST(a_lesson_has_its_question_and_neither_answer_nor_reason_in_clear),
         PROGRAM_TEST(a_lesson_that_asks_for_nothing_is_refused),
+        PROGRAM_TEST(an_instruction_set_that_is_not_here_is_refused),
         PROGRAM_TEST(what_cannot_be_is_refused),
     };
     return cmocka_run_group_tests_name("inspect", tests, find_program, NULL);

@@ -4,7 +4,9 @@
 #include "apps/commands/inspect/page.h"
 #include "apps/commands/output.h"
 #include "apps/techniques/registry.h"
+#include "pipeline/io/file.h"
 
+#include <math.h>
 #include <string.h>
 
 #define OF(member) offsetof(InspectCommand, member)
@@ -52,6 +54,20 @@ static void check_arguments(struct argp_state *state, void *args)
     if (command->lesson_path && (command->technique_name || command->against))
         argp_error(state, "--lesson asks of a scene as it is: expected neither --technique nor "
                           "--against");
+    if (command->technique_name
+            ? !command->technique || strcmp(command->technique_name, command->technique->name) != 0
+            : command->technique != NULL)
+        argp_error(state, "--technique is to be written out, and to name one");
+    const double *region = command->region;
+    for (int i = 0; i < 4; i++)
+        if (region[i] != floor(region[i]))
+            argp_error(state, "--region: expected whole numbers, not '%g'", region[i]);
+    if (region[0] + region[1] + region[2] + region[3] > 0 && (region[2] < 1 || region[3] < 1))
+        argp_error(state, "--region: expected a width and a height from 1");
+    const char *output = command->output;
+    const bool is_course = command->lesson_path && gp_path_is_folder(command->lesson_path);
+    if (output && !is_course && (!output[0] || gp_path_is_folder(output)))
+        argp_error(state, "-o %s: expected the name of a file to write", output);
 }
 
 static const CommandSyntax syntax = {
@@ -62,12 +78,15 @@ static const CommandSyntax syntax = {
         "Examples:\n"
         "  glasspipe inspect scenes/stencil_outline.json -o outline.html\n"
         "  glasspipe inspect scenes/default.json --size 640x360 --region 300 180 16 16\n"
-        "  glasspipe inspect scenes/shadow.json --size 320x240 --technique shadow --method plain\n"
+        "  glasspipe inspect scenes/shadow.json --size 320x240 --technique shadow \\\n"
+        "      --method plain\n"
         "  glasspipe inspect --lesson scenes/lessons/03_clipping.lesson.json\n"
         "\n"
         "Draws a scene with everything recorded, and writes one page of HTML that walks "
         "through the frame: draws, targets, every unit's values, the history of every "
         "pixel.\v"
+        "A page comes from the reference executor, and the fast one is held against it: --executor "
+        "is accepted and changes nothing.\n"
         "The page needs no network. Every fragment of every pixel is in it; all values of "
         "all units are there of chosen pixels, which the page marks.",
     .offset = offsetof(InspectCommand, scene),
@@ -156,6 +175,11 @@ int cmd_inspect(int argc, char **argv)
     if (command.technique && setting_find(command.technique->settings, "size"))
         own.shared = OPTIONS_RUN;
     command_parse(&own, command.technique ? &command.settings : NULL, argc, argv, &command);
+    GpDevice *device = NULL;
+    const int refused = options_device(&command.options, NULL, &device);
+    gp_device_destroy(&device);
+    if (refused)
+        return refused;
     if (command.lesson_path)
         return inspect_lessons(&command);
     char path[4096];

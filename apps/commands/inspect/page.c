@@ -5,6 +5,7 @@
 #include "apps/commands/output.h"
 #include "apps/commands/progress.h"
 #include "apps/inspect/inspect.h"
+#include "pipeline/list/list.h"
 
 /* --- what is drawn ---------------------------------------------------------------------------- */
 
@@ -93,8 +94,11 @@ static int open_technique(const InspectCommand *command, const char *path, void 
     if (code)
         return code;
     GpResult result = technique->open(&input, &drawn->opened, &error);
-    if (!result)
-        result = build(command, setting, device, drawn, &error);
+    if (result) {
+        gp_device_destroy(&device);
+        return report(exit_of_input(result), "%s", error.text); /* it names the file */
+    }
+    result = build(command, setting, device, drawn, &error);
     if (!result && command->truth)
         result = find_off(command, setting, device, drawn, &error);
     else if (!result && technique->quick_truth) /* a scene without one is shown without it */
@@ -103,16 +107,41 @@ static int open_technique(const InspectCommand *command, const char *path, void 
     return result ? report(exit_of_input(result), "%s: %s", path, error.text) : EXIT_DONE;
 }
 
-int inspect_open(const InspectCommand *command, const char *path, void *setting, Drawn *drawn)
+static int open_scene(const InspectCommand *command, const char *path, Drawn *drawn)
 {
-    if (command->technique)
-        return open_technique(command, path, setting, drawn);
     if (command->truth)
         return report(EXIT_USAGE, "--truth: exact pictures are a technique's; see --technique");
     const int code = options_scene(&command->options, path, &drawn->scene);
     drawn->list = &drawn->scene.list;
     drawn->picture = drawn->scene.picture;
     return code;
+}
+
+/* The region is of any pass, the draw of the last. */
+static int check_choice(const InspectCommand *command, const GpList *list)
+{
+    const double *region = command->region;
+    const uint32_t draws = list->pass_count ? list->passes[list->pass_count - 1].draw_count : 0;
+    bool is_inside = region[2] == 0;
+    for (uint32_t p = 0; p < list->pass_count && !is_inside; p++) {
+        uint32_t width, height;
+        gp_pass_size(&list->passes[p], &width, &height);
+        is_inside = region[0] < width && region[1] < height;
+    }
+    if (!is_inside)
+        return report(EXIT_USAGE, "--region %g %g %g %g: no pass draws there", region[0], region[1],
+                      region[2], region[3]);
+    if (command->draw != UINT32_MAX && command->draw >= draws)
+        return report(EXIT_USAGE, "--draw %u: the last pass has %u draw%s", command->draw, draws,
+                      draws == 1 ? "" : "s");
+    return EXIT_DONE;
+}
+
+int inspect_open(const InspectCommand *command, const char *path, void *setting, Drawn *drawn)
+{
+    const int code = command->technique ? open_technique(command, path, setting, drawn)
+                                        : open_scene(command, path, drawn);
+    return code ? code : check_choice(command, drawn->list);
 }
 
 /* --- the page --------------------------------------------------------------------------------- */
@@ -140,6 +169,7 @@ static Inspect inspect_of(const InspectCommand *command, const Drawn *drawn, con
         .pixels = command->pixels,
         .no_timings = command->no_timings,
         .threads = (int)command->options.threads,
+        .isa = command->options.isa,
         .progress = progress_tell,
         .user = progress,
     };

@@ -59,7 +59,8 @@ static const CommandSyntax syntax = {
     .help =
         "Examples:\n"
         "  glasspipe warp walk --pixels 128 --frames 4\n"
-        "  glasspipe warp walk builtin:knot --pixels 96 --objects 60 --size 640x360 -o walk.png\n"
+        "  glasspipe warp walk builtin:knot --pixels 96 --objects 60 --size 640x360 \\\n"
+        "      -o walk.png\n"
         "\n"
         "Walks among depth images of models, at 1920x1080 unless --size says otherwise, and prints "
         "what each frame takes. Each model is captured as a cylinder with its caps; without a "
