@@ -67,6 +67,8 @@ static void check(struct argp_state *state, void *args)
         argp_error(state, "--table: expected one of %s, not '%s'", list, bench->table);
     if (bench->table && bench->case_count)
         argp_error(state, "--table draws scenes of its own, no cases");
+    if (bench->table && (bench->images || bench->floor || bench->options.timed || bench->list))
+        argp_error(state, "--table: expected none of --images, --floor, --phases and --list");
     if (bench->options.size[0])
         argp_error(state, "--size: the cases have sizes of their own");
     for (size_t i = 0; bench->case_count == 0 && i < bench_case_count; i++)

@@ -202,7 +202,10 @@ static int compare_pair(GpPool *pool, const Compare *compare, const GpImage imag
                         pictures, &comparison, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     int code = print_comparison(compare, &comparison, pictures);
-    if (!code && compare->output && !comparison.other_sizes)
+    if (!code && compare->output && comparison.other_sizes)
+        notice(&compare->options, "%s: not written: pictures of other sizes have no difference",
+               compare->output);
+    else if (!code && compare->output)
         code = write_difference(compare, pictures, pool);
     if (!code && compare->report)
         code = write_report(compare, &comparison, pictures);

@@ -73,6 +73,10 @@ static void compare_writes_a_report_of_the_same_bytes_each_time(void **state)
     read_file("r.html", second, sizeof second);
     assert_string_equal(first, second);
     expect_contains(first, "different: 1 of 2 pixels (50 %) differ</p>");
+    write_file("c.ppm", "P6 1 2 255\nabcabf");
+    assert_int_equal(shell("glasspipe compare a.ppm c.ppm -o d.png"), 1);
+    expect_contains(err, "d.png: not written: pictures of other sizes");
+    unlink("c.ppm");
     expect_refused(2, "compare a.ppm b.ppm --report ''", "--report");
     expect_refused(2, "compare a.ppm b.ppm --report .", "--report");
     assert_int_equal(shell("glasspipe compare a.ppm b.ppm --report none/r.html"), 4);

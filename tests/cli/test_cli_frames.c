@@ -92,6 +92,30 @@ static void windows_are_whole_numbers_inside_the_picture(void **state)
     expect_matches(out, "^hash [^\n]* 16x16 [0-9a-f]{16}\n$");
 }
 
+/* --- what goes together ----------------------------------------------------------------------- */
+
+static void options_of_other_work_are_refused(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "scene.json --verify 100", "are of frames and windows" },
+        { "scene.json --timeout 1e-7", "are of frames and windows" },
+        { "scene.json --resume --size 8x8", "are of frames and windows" },
+        { "scene.json --list-passes --dump nosuch", "--list-passes draws nothing" },
+        { "scene.json --list-passes -o a.png", "--list-passes draws nothing" },
+        { "--schema -o a.png", "--schema draws nothing" },
+        { "--schema --turn 4", "--schema draws nothing" },
+        { "scene.json --size 32x32 --window '0,0,8x8 of 64x64'", "--size: --window says" },
+    };
+    expect_all_refused(2, "render", wrong, GP_COUNT(wrong));
+    assert_int_equal(
+        shell("glasspipe render -q scene.json --size 32x32 --window 0,0,8x8 --verify 100 "
+              "--resume -o a.ppm"),
+        0);
+    assert_int_equal(shell("glasspipe render --schema --json"), 0);
+    expect_files("a.ppm scene.json");
+}
+
 /* --- names ------------------------------------------------------------------------------------ */
 
 /* Names of files are any bytes; what is printed and written is UTF-8. */
@@ -142,6 +166,7 @@ int main(void)
         PROGRAM_TEST(a_path_has_the_frames_up_to_its_last_key),
         PROGRAM_TEST(a_path_that_ends_before_frame_0_or_after_any_is_an_input_error),
         PROGRAM_TEST(frames_are_whole_numbers_within_their_limit),
+        PROGRAM_TEST(options_of_other_work_are_refused),
         PROGRAM_TEST(names_that_are_no_utf_8_are_told_with_what_stands_for_it),
         PROGRAM_TEST(windows_are_whole_numbers_inside_the_picture),
     };

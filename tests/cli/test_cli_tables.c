@@ -157,9 +157,24 @@ static void scaling_is_charted_for_the_meshes_that_are_there(void **state)
     expect_contains(page, "Voxelization: time against size");
 }
 
+static void a_table_has_no_options_of_cases(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "--images d", "expected none of --images" },
+        { "--floor", "expected none of --images" },
+        { "--phases", "expected none of --images" },
+        { "-l", "expected none of --images" },
+        { "clear", "no cases" },
+    };
+    expect_all_refused(2, "bench --table 4.1", wrong, GP_COUNT(wrong));
+    expect_files("scene.json");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        PROGRAM_TEST(a_table_has_no_options_of_cases),
         PROGRAM_TEST(tables_are_known_by_their_numbers),
         PROGRAM_TEST(rows_without_a_file_are_left_out),
         PROGRAM_TEST(table_2_1_has_the_steps_beside_the_print),

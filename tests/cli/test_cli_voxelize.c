@@ -82,9 +82,7 @@ static void wrong_meshes_and_settings_are_input_errors(void **state)
     expect_refused(3, "voxelize builtin:nothing", "no builtin mesh 'nothing'");
     expect_refused(3, "voxelize closed.off --method xor", "--kind solid");
     expect_refused(3, "voxelize closed.off --kind solid --method thin", "not solids");
-    expect_refused(3, "voxelize closed.off --bits 8", "only --method sheets");
     expect_refused(2, "voxelize closed.off --bits 3 --method sheets", "expected 1, 8 or 16");
-    expect_refused(3, "voxelize closed.off --axes 2", "--axes 2");
     expect_refused(3, "voxelize closed.off --error 5 --trust-chart",
                    "`glasspipe chart voxelize' makes a chart");
     expect_refused(3, "voxelize 'implicit:x^'", "expected");
@@ -93,8 +91,6 @@ static void wrong_meshes_and_settings_are_input_errors(void **state)
     expect_refused(3, "voxelize closed.off --points --kind solid", "points: no inside");
     expect_refused(3, "voxelize implicit:quartic --method thin", "--method is for meshes");
     expect_refused(3, "voxelize implicit:quartic --report", "--report is for meshes");
-    expect_refused(3, "voxelize closed.off --twist 9 --method slices",
-                   "--twist: expected --method");
     expect_refused(3, "voxelize closed.off --with missing.ply", "missing.ply");
     expect_refused(3, "voxelize closed.off --with builtin:cube --twist 9", "--twist turns about");
     expect_refused(3, "voxelize closed.off --kind solid --with points.off", "points.off: points");
@@ -102,6 +98,25 @@ static void wrong_meshes_and_settings_are_input_errors(void **state)
     expect_refused(3, "voxelize closed.off --scan scan.raw -o a.png", "scan.raw");
     expect_refused(3, "voxelize closed.off --method sheets --bits 8 -o a.png", "one bit a voxel");
     expect_files("closed.off empty.off open.off points.off scan.json scan.raw text.ply turned.off");
+}
+
+static void options_that_do_not_go_together_are_usage_errors(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "--bits 8", "only --method sheets" },
+        { "--axes 2", "--axes: expected 1 or 3, not 2" },
+        { "--axes 2 --method sheets", "--axes: expected 1 or 3, not 2" },
+        { "--axes 1", "--axes is for --method sheets" },
+        { "--blend or --method thin", "--blend is for --method sheets" },
+        { "--counters byte", "--counters is for --method winding" },
+        { "--value density", "--value is for --bits 8 and 16" },
+        { "--value density --method sheets", "--value is for --bits 8 and 16" },
+        { "--twist 9 --method slices", "--twist: expected --method" },
+        { "--twist 9 --method sheets", "--twist: expected --method" },
+    };
+    expect_all_refused(2, "voxelize none.off", wrong, GP_COUNT(wrong)); /* before it is read */
+    expect_files("scene.json");
 }
 
 /* A tetrahedron of a size, at a place along x. */
@@ -438,6 +453,7 @@ static void the_chart_of_solids_serves_too(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        PROGRAM_TEST(options_that_do_not_go_together_are_usage_errors),
         PROGRAM_TEST(wrong_arguments_are_usage_errors),
         PROGRAM_TEST(wrong_meshes_and_settings_are_input_errors),
         PROGRAM_TEST(sizes_beyond_floats_are_refused_and_others_are_right),

@@ -56,6 +56,13 @@ static void wrong_arguments_are_usage_errors(void **state)
     };
     unlink("scene.json");
     expect_all_refused(2, "warp capture", wrong, GP_COUNT(wrong));
+    expect_refused(2, "warp capture scene.json --width 3", "--width is for --relief");
+    expect_refused(2, "warp capture builtin:cube --width 3", "--width is for --relief");
+    expect_refused(2, "warp capture none.off --color nosuch", "--color: expected file, white");
+    expect_refused(2, "warp capture none.off --color waves:x", "--color: expected a number");
+    assert_int_equal(shell("mkdir d.exr"), 0);
+    expect_refused(2, "warp capture none.off -o d.exr", "-o d.exr: is a directory");
+    assert_int_equal(shell("rmdir d.exr"), 0);
     expect_files("");
 }
 
@@ -69,7 +76,6 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
                          "elsewhere: expected objects and lights under one camera" },
         { "builtin:nothing", "no builtin mesh 'nothing'" },
         { "builtin:ball --source missing.json", "missing.json" },
-        { "builtin:ball --color pink", "--color: expected file" },
         { "picture.exr", "picture.exr: a picture: expected --depth-file or --relief with it" },
         { "color.ppm --depth-file missing.pgm --camera-file lens.json",
           "missing.pgm: no such file" },

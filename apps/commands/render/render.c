@@ -7,6 +7,8 @@
 #include "apps/frame/passes.h"
 #include "apps/frame/picture.h"
 
+#include <string.h>
+
 static const SettingField options[] = {
     { "size", "WxH",
       "Size of the picture in pixels, 1x1 to 32768x32768 (default: the scene's); beyond 8192 it is "
@@ -41,6 +43,12 @@ static const SettingField options[] = {
     { .name = NULL },
 };
 
+/* Whether a window says of how large a picture it is. */
+static bool names_whole(const char *window)
+{
+    return window && strstr(window, " of ");
+}
+
 static void check(struct argp_state *state, void *args)
 {
     const Render *render = args;
@@ -48,6 +56,17 @@ static void check(struct argp_state *state, void *args)
         argp_error(state, "expected a scene file");
     if (render->scene && render->schema)
         argp_error(state, "--schema is of all scenes, not of one");
+    if (render->schema && (render->output || render->dump || render->list_passes ||
+                           render->window || render->path || render->turn || render->frames))
+        argp_error(state, "--schema draws nothing: expected no option of pictures with it");
+    if (render->list_passes && (render->dump || render->output))
+        argp_error(state, "--list-passes draws nothing: expected neither --dump nor -o with it");
+    if (!render->schema && !render_is_sequence(render) &&
+        (render->options.resume || render->options.verify > 0 || render->options.timeout > 0))
+        argp_error(state, "--resume, --verify and --timeout are of frames and windows: expected "
+                          "--path, --turn or --window with them");
+    if (names_whole(render->window) && render->options.size[0])
+        argp_error(state, "--size: --window says the whole's size");
     if (render_is_sequence(render) && (render->dump || render->list_passes))
         argp_error(state, "--dump and --list-passes are of one picture, drawn whole");
     if (render->frames && !render->path && !render->turn)

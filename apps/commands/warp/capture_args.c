@@ -114,14 +114,14 @@ static GpResult read_rgbd(const CaptureArgs *args, DepthImage *image, GpError *e
 static GpResult read_heights(const CaptureArgs *args, DepthImage *image, GpError *error)
 {
     char paths[2][4096];
+    const double width = args->width > 0 ? args->width : 1;
     GpResult result = find(args->input, paths[0], error);
     if (!result && args->height)
         result = find(args->height, paths[1], error);
     if (result)
         return result;
-    return args->height
-               ? height_map_read(paths[0], paths[1], args->width, args->relief, image, error)
-               : height_map_read(NULL, paths[0], args->width, args->relief, image, error);
+    return args->height ? height_map_read(paths[0], paths[1], width, args->relief, image, error)
+                        : height_map_read(NULL, paths[0], width, args->relief, image, error);
 }
 
 static bool shows_anything(const DepthModel *model)

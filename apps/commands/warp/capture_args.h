@@ -16,7 +16,7 @@ typedef struct CaptureArgs {
     const char *camera, *frame;
     double unit; /* 0: the camera's */
     const char *height;
-    double relief, width; /* of height maps; relief 0: it is none */
+    double relief, width; /* of height maps; relief 0: it is none; width 0: 1 */
     const char *write_camera;
 } CaptureArgs;
 

@@ -1,6 +1,7 @@
 /* glasspipe warp capture: depth images as files, of meshes, scenes and pictures with depth. */
 #include "apps/commands/warp/capture_args.h"
 #include "apps/base/json.h"
+#include "apps/base/model_color.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
@@ -78,6 +79,12 @@ static void check(struct argp_state *state, void *object)
     const CaptureArgs *args = object;
     const CaptureInput input = capture_input(args);
     const bool is_mesh = input == CAPTURE_INPUT_MESH, is_plane = args->warp.kind == WARP_PLANAR;
+    double waves;
+    GpError error = { "" };
+    if (is_mesh && model_waves(args->warp.color, &waves, &error))
+        argp_error(state, "%s", error.text);
+    if (args->output && gp_path_is_folder(args->output))
+        argp_error(state, "-o %s: is a directory", args->output);
     const struct {
         bool is_wrong;
         const char *reason;
@@ -97,6 +104,7 @@ static void check(struct argp_state *state, void *object)
           "--rays is for --kind cylinder" },
         { args->options.size[0] > 0 && input >= CAPTURE_INPUT_RGBD,
           "--size is for meshes and scenes: pictures have their own" },
+        { args->width > 0 && input != CAPTURE_INPUT_HEIGHTS, "--width is for --relief" },
         { args->write_camera && !is_plane, "--write-camera is for --kind planar" },
         { args->output && !depth_file_is_readable(args->output),
           "-o: expected a name that ends with .exr" },
@@ -238,7 +246,7 @@ static int write_camera(const char *path, const DepthModel *model)
 
 int cmd_warp_capture(int argc, char **argv)
 {
-    CaptureArgs args = { .warp = warp_option_defaults, .width = 1 };
+    CaptureArgs args = { .warp = warp_option_defaults };
     command_parse(&syntax, NULL, argc, argv, &args);
     char path[4096];
     output_default_path(args.input, "exr", path, sizeof path);

@@ -103,6 +103,34 @@ _Static_assert(OF(picture.orbit.elevation) == OF(picture.orbit.azimuth) + sizeof
 
 /* --- what goes together ----------------------------------------------------------------------- */
 
+/* Options of one method, or of more than one bit, that are given beside another. */
+static bool is_given_in_vain(const VoxelOptions *options, uint32_t given, const char **reason)
+{
+    const VoxelMethod method = options->voxels.method;
+    const struct {
+        const char *option;
+        bool is_used;
+        const char *reason;
+    } rows[] = {
+        { "axes", method == VOXEL_SHEETS, "--axes is for --method sheets" },
+        { "blend", method == VOXEL_SHEETS, "--blend is for --method sheets" },
+        { "counters", method == VOXEL_WINDING, "--counters is for --method winding" },
+        { "value", options->voxels.bits != 1, "--value is for --bits 8 and 16" },
+    };
+    for (size_t i = 0; i < GP_COUNT(rows); i++)
+        if (!rows[i].is_used && setting_is_given(voxel_settings, given, rows[i].option)) {
+            *reason = rows[i].reason;
+            return true;
+        }
+    return false;
+}
+
+static bool can_twist(VoxelMethod method)
+{
+    return method == VOXEL_AUTO || method == VOXEL_CONSERVATIVE || method == VOXEL_THIN ||
+           method == VOXEL_XOR || method == VOXEL_WINDING;
+}
+
 GpResult voxel_options_check(const void *setting, uint32_t given, const char *extension,
                              GpError *error)
 {
@@ -110,12 +138,21 @@ GpResult voxel_options_check(const void *setting, uint32_t given, const char *ex
     const bool alone = !options->with, fits = options->place.fit > 0;
     const bool placed = setting_is_given(voxel_settings, given, "xform");
     const bool moves = setting_is_given(voxel_settings, given, "move");
+    const VoxelMethod method = options->voxels.method;
+    const char *vain = "";
+    const bool in_vain = is_given_in_vain(options, given, &vain);
     const struct {
         bool is_wrong;
         const char *reason;
     } rules[] = {
         { options->voxels.bits != 1 && options->voxels.bits != 8 && options->voxels.bits != 16,
           "--bits: expected 1, 8 or 16" },
+        { options->voxels.bits != 1 && method != VOXEL_SHEETS,
+          "--bits: more than one bit a voxel only --method sheets has" },
+        { options->voxels.axes == 2, "--axes: expected 1 or 3, not 2" },
+        { setting_is_given(voxel_settings, given, "twist") && !can_twist(method),
+          "--twist: expected --method conservative, thin, xor or winding" },
+        { in_vain, vain },
         { placed && !(options->box[0] > 0),
           "--xform: expected four numbers, the first above 0: the scale" },
         { alone && setting_is_given(voxel_settings, given, "combine"),
