@@ -18,7 +18,7 @@ static int dispatch(int argc, char **argv)
 {
     const char *name = argv[1];
     bool help = strcmp(name, "help") == 0;
-    if (help && argc > 2) {
+    if (help && argc > 2 && strcmp(argv[2], "help") != 0) {
         char option[] = "--help";
         char *arguments[] = { NULL, argc > 3 ? argv[3] : option, option, NULL };
         return commands_run(argv[2], 3, arguments);

@@ -133,6 +133,8 @@ static bool take_option(struct argp_state *state, const Parse *parse, int key, c
 static void take_positional(struct argp_state *state, Parse *parse, const char *text)
 {
     const CommandSyntax *syntax = parse->syntax;
+    if (!text[0])
+        argp_error(state, "an argument is empty: expected a name or a number");
     if (syntax->take)
         syntax->take(state, parse->args, text);
     else if (parse->count == syntax->most)

@@ -9,6 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
+enum { MOST_MESSAGE = 16384 };
+
 static const char *const isa_names[] = { "auto", "sse2", "avx2", "avx512", "neon", NULL };
 static const char *const executor_names[] = { "fast", "reference", NULL };
 
@@ -62,8 +64,10 @@ int options_device(const Options *options, const GpTrace *trace, GpDevice **devi
     GpResult result = gp_device_create(&desc, device, &error);
     if (!result)
         return EXIT_DONE;
-    bool asked_wrongly = result == GP_ERROR_INVALID || result == GP_ERROR_UNSUPPORTED;
-    return report(asked_wrongly ? EXIT_USAGE : EXIT_INTERNAL, "%s", error.text);
+    const bool asked_wrongly = result == GP_ERROR_INVALID || result == GP_ERROR_UNSUPPORTED;
+    const bool by_option = options->isa && strcmp(options->isa, "auto") != 0;
+    return report(asked_wrongly ? EXIT_USAGE : EXIT_INTERNAL, "%s%s",
+                  asked_wrongly && !by_option && getenv("GP_ISA") ? "$GP_ISA: " : "", error.text);
 }
 
 /* Nothing is half written where this is called from, but for what is abandoned. */
@@ -94,6 +98,32 @@ int options_scene(const Options *options, const char *path, Scene *scene)
     return result ? report(exit_of_input(result), "%s", error.text) : EXIT_DONE;
 }
 
+/* --- messages --------------------------------------------------------------------------------- */
+
+void message_print(FILE *file, const char *text)
+{
+    const unsigned char *at = (const unsigned char *)text;
+    for (; *at; at++)
+        if (at[0] == 0xc2 && at[1] >= 0x80 && at[1] < 0xa0) { /* U+0080 to U+009F */
+            fprintf(file, "\\x%02x\\x%02x", at[0], at[1]);
+            at++;
+        } else if (*at < ' ' || *at == 0x7f) {
+            fprintf(file, "\\x%02x", *at);
+        } else {
+            putc(*at, file);
+        }
+}
+
+/* A line; longer ones are cut. There may be no memory for them. */
+static void print_line(const char *before, const char *format, va_list args)
+{
+    char line[MOST_MESSAGE];
+    vsnprintf(line, sizeof line, format, args);
+    fputs(before, stderr);
+    message_print(stderr, line);
+    fputc('\n', stderr);
+}
+
 static void (*told)(int code, const char *line);
 
 void report_to(void (*tell)(int code, const char *line))
@@ -112,9 +142,7 @@ int report(int code, const char *format, ...)
         told(code, line);
         return code;
     }
-    fputs("glasspipe: ", stderr);
-    vfprintf(stderr, format, args);
-    fputc('\n', stderr);
+    print_line("glasspipe: ", format, args);
     va_end(args);
     return code;
 }
@@ -125,8 +153,7 @@ void notice(const Options *options, const char *format, ...)
         return;
     va_list args;
     va_start(args, format);
-    vfprintf(stderr, format, args);
-    fputc('\n', stderr);
+    print_line("", format, args);
     va_end(args);
 }
 

@@ -8,6 +8,8 @@
 #include "apps/techniques/settings.h"
 #include <glasspipe/glasspipe.h>
 
+#include <stdio.h>
+
 /* What the program tells its caller. */
 enum {
     EXIT_DONE = 0,
@@ -73,7 +75,8 @@ ItemRun options_items(const Options *options);
 /* Reads a scene, in the size that the options ask for. returns as options_device */
 int options_scene(const Options *options, const char *path, Scene *scene);
 
-/* Prints "glasspipe: " and a line to stderr; returns code, so that a caller can return it. */
+/* Prints "glasspipe: " and a line to stderr, as message_print does; returns code, so that a caller
+ * can return it. */
 int report(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Tells another one than stderr of errors, without "glasspipe: "; NULL: stderr again. */
@@ -81,6 +84,9 @@ void report_to(void (*tell)(int code, const char *line));
 
 /* The same for news that is not an error; nothing with --quiet. */
 void notice(const Options *options, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Prints a text in one line, whatever a file says: control characters as \xNN. */
+void message_print(FILE *file, const char *text);
 
 /* Exit code of a failure to read what the user gave. */
 int exit_of_input(GpResult result);

@@ -25,8 +25,9 @@ void progress_tell(const void *user, uint32_t done, uint32_t total, const char *
     const bool is_long = machine_clock_ms(CLOCK_MONOTONIC) - progress->start_ms > 1000;
     if (progress->options->quiet || !is_long || !can_wipe())
         return;
-    if (done < total)
-        fprintf(stderr, "\r\033[K%u/%u %s", done + 1, total, text);
-    else
-        fputs("\r\033[K", stderr);
+    fputs("\r\033[K", stderr);
+    if (done == total)
+        return;
+    fprintf(stderr, "%u/%u ", done + 1, total);
+    message_print(stderr, text);
 }

@@ -25,7 +25,8 @@ static void no_command_shows_the_help_on_stderr_and_is_a_usage_error(void **stat
 static void help_and_version_go_to_stdout(void **state)
 {
     (void)state;
-    static const char *const lines[] = { "glasspipe -h", "glasspipe --help", "glasspipe help" };
+    static const char *const lines[] = { "glasspipe -h", "glasspipe --help", "glasspipe help",
+                                         "glasspipe help help" };
     for (size_t i = 0; i < GP_COUNT(lines); i++) {
         assert_int_equal(shell("%s", lines[i]), 0);
         assert_string_equal(err, "");
@@ -199,7 +200,9 @@ static void an_unknown_isa_in_the_environment_is_a_usage_error(void **state)
     (void)state;
     assert_int_equal(shell("GP_ISA=foo; export GP_ISA; glasspipe render scene.json"), 2);
     assert_string_equal(out, "");
-    expect_contains(err, "foo");
+    expect_contains(err, "$GP_ISA: isa 'foo'");
+    expect_refused(2, "render scene.json --isa foo", "--isa: expected");
+    assert_null(strstr(err, "GP_ISA"));
     expect_files("scene.json");
 }
 
@@ -213,6 +216,18 @@ static void bad_outputs_are_refused_before_rendering(void **state)
     expect_refused(2, "render scene.json -o directory.png", "directory");
     assert_int_equal(rmdir("directory.png"), 0);
     expect_refused(4, "render scene.json -o nowhere/picture.png", "nowhere/picture.png");
+    expect_files("scene.json");
+}
+
+static void empty_arguments_are_usage_errors(void **state)
+{
+    (void)state;
+    static const char *const lines[] = {
+        "render ''",    "voxelize ''",   "warp ''", "shader ''", "volume ''",
+        "fragments ''", "compare '' ''", "test ''", "bench ''",  "pixel scene.json '' 1"
+    };
+    for (size_t i = 0; i < GP_COUNT(lines); i++)
+        expect_refused(2, lines[i], "an argument is empty");
     expect_files("scene.json");
 }
 
@@ -238,6 +253,20 @@ static void bad_scenes_are_input_errors_that_name_the_file(void **state)
     expect_refused(3, "explain missing.json", "missing.json");
     expect_refused(3, "pixel missing.json 1 1", "missing.json");
     expect_refused(3, "render unknown.json", "frobnicate");
+}
+
+/* What a file says stays in the line, and does nothing to the terminal. */
+static void messages_hold_no_control_characters(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = {
+        { "control.json", "mesh: a\\x01\\x0a\\x1b[31mb\\x7f\\xc2\\x9b1m\xc3\xa9: no such file" },
+    };
+    write_file("control.json", "{ \"objects\": [ { \"mesh\": \"a\\u0001\\n\\u001b[31mb\\u007f"
+                               "\\u009b1m\\u00e9\" } ] }");
+    expect_input_errors("render", rows, GP_COUNT(rows));
+    assert_int_equal(shell("glasspipe render scene.json --size 4x4 -o $(printf 'a\\033b.ppm')"), 0);
+    assert_string_equal(err, "wrote a\\x1bb.ppm\n");
 }
 
 static void scenes_and_settings_that_do_not_go_together_are_input_errors(void **state)
@@ -524,6 +553,8 @@ int main(void)
         PROGRAM_TEST(wrong_settings_of_a_technique_are_usage_errors),
         PROGRAM_TEST(an_unknown_isa_in_the_environment_is_a_usage_error),
         PROGRAM_TEST(bad_outputs_are_refused_before_rendering),
+        PROGRAM_TEST(empty_arguments_are_usage_errors),
+        PROGRAM_TEST(messages_hold_no_control_characters),
         PROGRAM_TEST(bad_scenes_are_input_errors_that_name_the_file),
         PROGRAM_TEST(scenes_and_settings_that_do_not_go_together_are_input_errors),
         PROGRAM_TEST(unreadable_pictures_are_input_errors),

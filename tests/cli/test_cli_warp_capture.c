@@ -76,6 +76,7 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
                          "elsewhere: expected objects and lights under one camera" },
         { "builtin:nothing", "no builtin mesh 'nothing'" },
         { "builtin:ball --source missing.json", "missing.json" },
+        { "color.ppm", "color.ppm: a picture: expected --depth-file or --relief with it" },
         { "picture.exr", "picture.exr: a picture: expected --depth-file or --relief with it" },
         { "color.ppm --depth-file missing.pgm --camera-file lens.json",
           "missing.pgm: no such file" },

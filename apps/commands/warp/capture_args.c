@@ -6,6 +6,7 @@
 #include "apps/depth_images/making/capture_box.h"
 #include "apps/depth_images/making/height_map.h"
 #include "apps/depth_images/making/rgbd.h"
+#include "apps/frame/picture.h"
 #include "apps/scene/capture.h"
 #include "apps/techniques/warp/model.h"
 #include "pipeline/io/file.h"
@@ -60,7 +61,7 @@ static GpResult capture_mesh(const CaptureArgs *args, GpDevice *device, DepthMod
 {
     const TechniqueInput input = { .path = args->input, .setting = &args->warp };
     void *opened;
-    if (depth_file_is_readable(args->input))
+    if (depth_file_is_readable(args->input) || picture_has_extension(args->input))
         return gp_fail(error, GP_ERROR_INVALID,
                        "%s: a picture: expected --depth-file or --relief with it", args->input);
     GpResult result = warp_model_open(&input, &opened, error);
