@@ -49,7 +49,7 @@ static void read_values(struct argp_state *state, ShaderCommand *command)
     for (size_t i = 0; at; i++) {
         char *end;
         const double value = strtod(at, &end);
-        if (i == GP_COUNT(command->effect.values) || end == at || !isfinite(value) ||
+        if (i == GP_COUNT(command->effect.values) || end == at || !isfinite((float)value) ||
             (*end && *end != ','))
             argp_error(state, "--values: expected up to 8 numbers with commas between, not '%s'",
                        command->values);

@@ -162,7 +162,7 @@ static int apply(const TechniqueArgs *args, const char *curve, const char *optio
     return EXIT_DONE;
 }
 
-/* What the chart says, and nothing else. */
+/* What the chart says, and nothing else; its most exact setting where none is exact enough. */
 static int trust(const TechniqueArgs *args, const char *curve, const Chart *chart, json_t **told)
 {
     Candidates all = { .first = 0 };
@@ -179,18 +179,22 @@ static int trust(const TechniqueArgs *args, const char *curve, const Chart *char
     const double least = !point           ? (double)NAN
                          : args->per_cent ? chart_per_cent(&point->measured)
                                           : point->measured.error;
-    if (!(least <= args->most))
-        return report(EXIT_INPUT, "%s: no setting has at most %g%s %s", curve, args->most,
-                      args->per_cent ? "% of" : "",
-                      args->per_cent ? args->experiment->part_of : chart->error_name);
+    const bool is_reached = least <= args->most;
+    if (!point)
+        return report(EXIT_INPUT, "%s: no setting is in it", curve);
     print_error(args, &point->measured, "expected, from another scene", what, sizeof what);
     chart_print_scene(chart, scene, sizeof scene);
-    notice(&args->options, "chose %s (%s): error %s", chosen.options, chosen.method, what);
+    if (is_reached)
+        notice(&args->options, "chose %s (%s): error %s", chosen.options, chosen.method, what);
+    else
+        report(0, "not reached: the most exact of %s, %s (%s), has error %s", curve, chosen.options,
+               chosen.method, what);
     notice(&args->options, "measured on %s, %d thread%s, %s", scene, chart->threads,
            chart->threads == 1 ? "" : "s", chart->machine);
     if (args->options.json)
-        *told = tell(args, &chosen, &point->measured, true);
-    return apply(args, curve, point->options);
+        *told = tell(args, &chosen, &point->measured, is_reached);
+    const int code = apply(args, curve, point->options);
+    return code || is_reached ? code : EXIT_DIFFERS;
 }
 
 static int keep(const TechniqueArgs *args, const Place *place, const Chart *chart, void *scene,

@@ -111,6 +111,22 @@ static void a_chart_is_believed_only_where_that_is_asked_for(void **state)
         0);
     expect_contains(err, "--map 16");
     expect_contains(err, "error 0 (expected, from another scene) wrong pixels");
+    char honest[1024];
+    read_file("chart.json", honest, sizeof honest);
+    char *error = strstr(honest, "\"error\": 0");
+    assert_non_null(error);
+    error[strlen("\"error\": ")] = '9';
+    write_file("honest.json", honest);
+    assert_int_equal(
+        shell("glasspipe shadow small.json --error 7 --curve honest.json --trust-chart "
+              "-o b.ppm --json"),
+        1);
+    expect_contains(err, "glasspipe: not reached: the most exact of honest.json, --map 16 ");
+    expect_contains(err, "has error 9 (expected, from another scene) wrong pixels");
+    json_t *object = parse_output();
+    assert_true(json_is_false(json_object_get(json_object_get(object, "error"), "reached")));
+    json_decref(object);
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm"), 0);
     assert_int_equal(shell("glasspipe shadow small.json --error 7 --curve chart.json -o a.ppm"), 0);
     assert_null(strstr(err, "chose --map 16"));
     expect_matches(err, "chose .*: error [0-7] \\(measured\\) wrong pixels");

@@ -93,6 +93,7 @@ static void what_is_wrong_is_said_with_its_line(void **state)
     expect_refused(3, "shader none.c", "none.c: no line begins with program(NAME, ...)");
     expect_refused(3, "shader missing.c", "missing.c: no such file");
     expect_refused(2, "shader scene.json --values 1,x", "--values: expected up to 8 numbers");
+    expect_refused(2, "shader scene.json --values 1e39", "--values: expected up to 8 numbers");
     expect_refused(2, "shader scene.json --from 0 90", "--from: expected");
 
     write_file("wrong.c", "#include <glasspipe/effect.h>\n\nfloat3 f(float3 a) { return a + b; }\n"

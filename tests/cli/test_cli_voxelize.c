@@ -409,8 +409,12 @@ static void an_error_chooses_the_size(void **state)
         expect_contains(out, cases[i].made);
     }
     expect_contains(err, "error 8 (expected, from another scene)");
-    expect_refused(3, "voxelize closed.off --error 7 --curve made.json --trust-chart",
-                   "no setting has at most 7 thousandths");
+    assert_int_equal(
+        shell("glasspipe voxelize closed.off --error 7 --curve made.json --trust-chart -o a.bits"),
+        1);
+    expect_contains(err,
+                    "not reached: the most exact of made.json, --method conservative --size 64");
+    expect_contains(out, "64x64x64");
 }
 
 /* A chart that lies about sizes does not matter: the error is measured. Options of the key are

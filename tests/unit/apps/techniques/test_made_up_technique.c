@@ -304,8 +304,8 @@ static void a_chart_is_drawn_and_an_error_chooses_from_it(void **state)
     expect_contains(err,
                     "not reached: the most exact of all 5 settings, --between floats --steps 6");
     assert_int_equal(glasspipe("blur scene.json --curve blur.json --error 0 --trust-chart"),
-                     EXIT_INPUT);
-    expect_contains(err, "no setting has at most 0 codes");
+                     EXIT_DIFFERS);
+    expect_contains(err, "not reached: the most exact of blur.json, --between floats --steps 6");
     assert_int_equal(glasspipe("blur scene.json --curve blur.json --error 9 --steps 2"),
                      EXIT_USAGE);
 }
