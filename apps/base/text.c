@@ -43,8 +43,8 @@ void text_add(Text *text, const char *format, ...)
     text->length += (size_t)length;
 }
 
-/* By the table of well-formed sequences: the second byte alone tells of too long ones, of surrogates
- * and of what is beyond U+10FFFF. source Unicode 15, table 3-7 */
+/* By the table of well-formed sequences: the second byte alone tells of too long ones, of
+ * surrogates and of what is beyond U+10FFFF. source Unicode 15, table 3-7 */
 int text_utf8_bytes(const char *text)
 {
     const unsigned char *at = (const unsigned char *)text;

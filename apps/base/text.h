@@ -13,8 +13,8 @@ typedef struct Text {
 
 void text_add(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Bytes of the character of UTF-8 that a text begins with; 0: there is none. Names of files hold any
- * bytes. */
+/* Bytes of the character of UTF-8 that a text begins with; 0: there is none. Names of files hold
+ * any bytes. */
 int text_utf8_bytes(const char *text);
 
 /* Adds what may be no UTF-8, with U+FFFD for each byte that is none. */

@@ -2,9 +2,9 @@
  * and constants only, so that figures of different renderers compare.
  *
  * A case is built once into a list and then run again and again; each run clears what it draws to.
- * All cases but the last, of voxelization, draw what their namesakes of the peer programs draw: the
- * same triangles to the same pixels with the same arithmetic, in this project's spaces (0 <= z <=
- * w, rows from the top).
+ * Cases that the peer programs have too (tests/peer) draw what their namesakes there draw: the same
+ * triangles to the same pixels with the same arithmetic, in this project's spaces (0 <= z <= w,
+ * rows from the top). The others are this project's techniques.
  */
 #ifndef APPS_BENCH_CASES_H
 #define APPS_BENCH_CASES_H

@@ -69,8 +69,6 @@ static void check(struct argp_state *state, void *args)
         argp_error(state, "--table draws scenes of its own, no cases");
     if (bench->table && (bench->images || bench->floor || bench->options.timed || bench->list))
         argp_error(state, "--table: expected none of --images, --floor, --phases and --list");
-    if (bench->options.size[0])
-        argp_error(state, "--size: the cases have sizes of their own");
     for (size_t i = 0; bench->case_count == 0 && i < bench_case_count; i++)
         bench->cases[i] = &bench_cases[i];
     if (bench->case_count == 0)
@@ -78,7 +76,7 @@ static void check(struct argp_state *state, void *args)
 }
 
 static const CommandSyntax syntax = {
-    .shared = OPTIONS_FRAME,
+    .shared = OPTIONS_RUN, /* the cases have sizes of their own */
     .options = options,
     .arguments = "[CASE...]",
     .help =
@@ -92,7 +90,8 @@ static const CommandSyntax syntax = {
         "\n"
         "Draws the named cases, or all, again and again, and prints a line of JSON for each: the "
         "median and the least time of a frame, and what was drawn.\v"
-        "Cases that need a mesh which is not there are left out with a message.",
+        "Results are lines of JSON with and without --json, which makes a line a row of --table.\n"
+        "Cases that need a mesh or a scan which is not there are left out with a message.",
     .take = add_case,
     .check = check,
 };

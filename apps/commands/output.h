@@ -35,7 +35,7 @@ typedef struct Output {
  * returns the command's exit code, after a message where it is not EXIT_DONE */
 int output_result(Output *output);
 
-/* Prints a value with nine digits, enough to restore every float exactly, and releases it. Keys
+/* Prints a value with fifteen digits, more than restore every float exactly, and releases it. Keys
  * come in the order in which they were set.
  * in   value: NULL: there was no memory for it
  * returns the command's exit code, after a message where it is not EXIT_DONE */

@@ -1,7 +1,7 @@
 /* A lesson: a question about one value of a scene's frame, answered on paper before the page shows
  * it.
  *
- * NAME.lesson.json lies beside the scene NAME.json; scenes/lessons/README.md says how one is
+ * NAME.lesson.json lies beside the scene NAME.json; scenes/README.md says how one is
  * written. What the answer is stands in neither: it is a place in what the recorder says
  * (lesson_answer.h). */
 #ifndef APPS_INSPECT_LESSON_H

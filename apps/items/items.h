@@ -35,8 +35,8 @@ typedef struct ItemTools {
 typedef struct ItemWork {
     uint32_t count;
     bool in_order; /* items are taken in their order, else as they come */
-    /* times are part of what is drawn: here one item is drawn at a time, by all threads, one that is
-     * drawn twice too */
+    /* times are part of what is drawn: here one item is drawn at a time, by all threads, and so is
+     * one that is drawn twice */
     bool measures;
     void *context;
 

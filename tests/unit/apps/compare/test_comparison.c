@@ -21,8 +21,8 @@ static GpImage make_image(uint32_t side, uint32_t channels, GpImageType type)
 static Comparison compare(const GpImage images[2], bool views, Picture pictures[2])
 {
     Comparison made;
-    assert_int_equal(comparison_make(images, views, &comparison_defaults, pool, pictures, &made, NULL),
-                     GP_OK);
+    assert_int_equal(
+        comparison_make(images, views, &comparison_defaults, pool, pictures, &made, NULL), GP_OK);
     return made;
 }
 

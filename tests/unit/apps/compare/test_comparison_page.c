@@ -26,12 +26,13 @@ static Text make_page(GpImage a, GpImage b)
     Picture pictures[2];
     Comparison comparison;
     Text page = { .data = NULL };
-    assert_int_equal(comparison_make(images, true, &comparison_defaults, pool, pictures, &comparison, NULL),
-                     GP_OK);
+    assert_int_equal(
+        comparison_make(images, true, &comparison_defaults, pool, pictures, &comparison, NULL),
+        GP_OK);
     gp_image_free(&images[0]);
     gp_image_free(&images[1]);
-    assert_int_equal(comparison_page(names, pictures, &comparison, &comparison_defaults, &page, NULL),
-                     GP_OK);
+    assert_int_equal(
+        comparison_page(names, pictures, &comparison, &comparison_defaults, &page, NULL), GP_OK);
     comparison_free(&comparison);
     picture_free(&pictures[0]);
     picture_free(&pictures[1]);
