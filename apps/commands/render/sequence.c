@@ -148,7 +148,7 @@ static int tell_json(const Frames *frames)
     for (uint32_t i = 0; i < frames->count; i++) {
         frames_file(frames, i, file);
         json_t *one = json_of(&frames->results[i], file);
-        if (!frames->moves) {
+        if (!one || !frames->moves) {
             json_decref(all);
             return output_json(one);
         }
