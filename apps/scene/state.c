@@ -10,11 +10,15 @@ static void read_byte(Node *object, const char *key, uint8_t *byte)
     *byte = (uint8_t)node_integer(node_member(object, key), *byte, 0, 255);
 }
 
+/* What stands where the test and the writes are not said depends on what is drawn, and where. */
 static void read_depth(Node node, GpDepthState *depth)
 {
     node_define(&node, "depth");
+    const Node test = node_member(&node, "test"), write = node_member(&node, "write");
     node_enum(&node, "test", gp_compare_names, GP_COMPARES, &depth->test);
-    depth->write = node_bool(node_member(&node, "write"), depth->write);
+    depth->write = node_bool(write, depth->write);
+    node_without_default(&test);
+    node_without_default(&write);
     depth->ternary = node_bool(node_member(&node, "ternary"), depth->ternary);
     depth->epsilon = node_number(node_member(&node, "epsilon"), depth->epsilon, 0, 1);
     node_close(&node);

@@ -337,6 +337,8 @@ GpResult gp_data_find_beside(const char *file, const char *name, char *path, siz
                              GpError *error)
 {
     GP_ASSERT(name && path);
+    if (!name[0])
+        return gp_fail(error, GP_ERROR_IO, "no name: expected that of a file");
     const char *variable = getenv("GLASSPIPE_DATA");
     char beside[PATH_MAX], installed[PATH_MAX];
     folder_of(file, beside);
