@@ -34,6 +34,7 @@ typedef struct Run {
     GpShaderCounts *seen; /* of this shader */
     float level;
     uint64_t moved;   /* components of the input that differ from the other runs */
+    float reach;      /* by how much they do, about */
     uint64_t digest;  /* of all that the shader gave */
     uint64_t written; /* components written in all lanes */
     Packet packet;
@@ -117,7 +118,7 @@ static void fill_inputs(Run *run, int components)
     for (int c = 0; c < components; c++)
         for (int lane = 0; lane < lanes; lane++) {
             const float scale = 1 + (float)c / 8 + (float)lane / 64;
-            const float step = run->moved >> c & 1 ? 0.75f + 0.25f * (float)lane : 0;
+            const float step = run->moved >> c & 1 ? run->reach * (0.75f + 0.25f * (float)lane) : 0;
             run->packet.in[c * lanes + lane] = run->level * scale + step;
         }
 }
@@ -237,6 +238,11 @@ static void try_vertices(Run *run, GpTrial *trial)
     run->moved = others;
     run_vertices(run);
     trial->position_moves |= follows(run, run_vertices, others | position);
+    /* a small step is lost where the uniforms are those of an eye at the end of a large model */
+    for (run->reach = 0x1p20f; !trial->position_moves && run->reach < 0x1p81f;
+         run->reach *= 0x1p20f)
+        trial->position_moves = follows(run, run_vertices, position);
+    run->reach = 1;
 }
 
 static void try_pixels(Run *run, GpTrial *trial)
@@ -275,7 +281,9 @@ GpTrial gp_program_trial(const GpProgram *program, const GpProgramCode *code, co
     GpTrial trial = { .writes_position = true };
     trial.vertex.outputs_written = low_bits(program->varying_components);
     trial.pixel.outputs_written = low_bits(program->color_components);
-    Run run = { .program = program, .code = code, .uniforms = uniforms, .trial = &trial };
+    Run run = {
+        .program = program, .code = code, .uniforms = uniforms, .trial = &trial, .reach = 1
+    };
     for (size_t i = 0; i < GP_COUNT(levels); i++) {
         run.level = levels[i];
         try_vertices(&run, &trial);
