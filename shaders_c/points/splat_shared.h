@@ -63,7 +63,7 @@ GP_INLINE float4 surfel_clip_at(const SplatUniforms *c, const EyeSurfel *eye, fl
     const float3 p = eye->position;
     float4 clip =
         vec4(p.x * (c->focal * c->ndc[0]), -p.y * (c->focal * c->ndc[1]), depth * p.z, p.z);
-    return sel(eye->drawn, clip, vec4(2, 2, 0, 1)); /* 2: outside */
+    return sel(eye->drawn, clip, vec4(0, 0, -1, 1)); /* by depth: points beside the picture show */
 }
 
 /* The same of a place on the line of sight, so far behind the surfel. */

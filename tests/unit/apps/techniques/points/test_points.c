@@ -176,9 +176,7 @@ static void epsilon_is_neither_too_small_nor_too_large(void **state)
     unlink(name);
 }
 
-/* Just above a plane, whose points lie below, beside and behind the eye too. Those right below it,
- * nearer than anything that is seen, are smeared over the picture: what the nearest plane is
- * for. */
+/* Just above a plane, whose points lie below, beside and behind the eye too. */
 #define WITHIN(NEAR)                                                                               \
     {                                                                                              \
         .eye = { 0, 0.05, 0 }, .at = { 0, 0.03, -1 }, .up = { 0, 1, 0 }, .fovy = 60, .near = NEAR, \
@@ -189,15 +187,33 @@ static void nothing_blows_up_at_the_eye_plane(void **state)
 {
     (void)state;
     static const Camera near = WITHIN(0.02), cut = WITHIN(0.075);
-    static const Model coarse = { "builtin:plane", 3, 6, &near },
+    static const Model coarse = { "builtin:plane", 5, 6, &near },
                        fine = { "builtin:plane", 7, 6, &near },
                        away = { "builtin:plane", 7, 6, &cut };
     static const Row rows[] = {
-        { "discs larger than the eye is high", &coarse, "--method ewa", "area", 50, 200 },
+        { "discs larger than the eye is high", &coarse, "--method ewa", "area", 10, 40 },
         { "smaller ones", &fine, "--method ewa", "area", -2, 4 },
-        { "smeared from below the eye", &fine, "--method ewa", "decibels", 5, 20 },
+        { "... whole to below the eye", &fine, "--method ewa", "decibels", 40, 99 },
         { "cut off", &away, "--method ewa", "decibels", 25, 99 },
         { "... whichever filter", &away, "--method adaptive", "decibels", 25, 99 },
+    };
+    check(rows, GP_COUNT(rows));
+}
+
+/* From inside a ball, whose points are turned away from the eye, and half of them behind it. */
+static void what_is_behind_the_eye_does_not_show(void **state)
+{
+    (void)state;
+    static const Camera within = { .eye = { 0, 0, 0.2 },
+                                   .at = { 0, 0, -1 },
+                                   .up = { 0, 1, 0 },
+                                   .fovy = 60,
+                                   .near = 0.01,
+                                   .far = 20 };
+    static const Model ball = { "builtin:sphere", 3, 6, &within };
+    static const Row rows[] = {
+        { "both filters", &ball, "--method ewa --two-sided", "decibels", 40, 99 },
+        { "discs", &ball, "--method sprites --two-sided", "decibels", 20, 99 },
     };
     check(rows, GP_COUNT(rows));
 }
@@ -287,6 +303,7 @@ int main(void)
         cmocka_unit_test(one_filter_is_not_enough),
         cmocka_unit_test(epsilon_is_neither_too_small_nor_too_large),
         cmocka_unit_test(nothing_blows_up_at_the_eye_plane),
+        cmocka_unit_test(what_is_behind_the_eye_does_not_show),
         cmocka_unit_test(sums_of_bytes_saturate_and_vanish),
         cmocka_unit_test(radii_too_small_leave_holes),
         cmocka_unit_test(watertight_samplings_have_no_hole_from_all_round),
