@@ -198,6 +198,25 @@ static void a_cube_has_sharp_edges(void **state)
         fail_msg("%g dB, then %g; areas %g, %g", decibels[0], decibels[1], area[0], area[1]);
 }
 
+/* By the default method too, which leaves out no clip. */
+static void sharp_edges_need_no_method(void **state)
+{
+    (void)state;
+    static const char *const methods[] = { "", "--method ewa", "--method adaptive" };
+    char hashes[3][64];
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(shell("glasspipe points builtin:cube --subdivide 3 --sharp 40 %s "
+                               "--size 128x128 --json -q -o a.png",
+                               methods[i]),
+                         0);
+        json_t *object = parse_output();
+        snprintf(hashes[i], sizeof hashes[i], "%s",
+                 json_string_value(json_object_get(object, "hash")));
+        json_decref(object);
+        assert_string_equal(hashes[i], hashes[0]);
+    }
+}
+
 static void json_has_what_checks_ask_for(void **state)
 {
     (void)state;
@@ -274,6 +293,7 @@ int main(void)
         PROGRAM_TEST(builtin_points_are_drawn),
         PROGRAM_TEST(coordinates_that_floats_cannot_hold_are_warned_of),
         PROGRAM_TEST(a_cube_has_sharp_edges),
+        PROGRAM_TEST(sharp_edges_need_no_method),
         PROGRAM_TEST(json_has_what_checks_ask_for),
         PROGRAM_TEST(stored_pictures_are_what_their_commands_draw),
     };

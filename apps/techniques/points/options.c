@@ -66,7 +66,7 @@ const SettingField points_settings[] = {
       OF(sample), .low = 1, .high = 1 << 27, .aside = true },
     { "sharp", "A",
       "Of a mesh: where its triangles meet at more than A degrees, such as 40, a point for each "
-      "side of the crease, at which its splat ends",
+      "side of the crease, at which its splat ends; ewa then stands for adaptive",
       SETTING_NUMBER, OF(sharp), .low = 1, .high = 179, .aside = true },
     { "one-radius", NULL,
       "Of a mesh: give all its vertices one radius, the smallest without holes, instead of each "
@@ -100,11 +100,25 @@ _Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two a
 
 /* --- what is built for them ------------------------------------------------------------------- */
 
-bool points_needs_patches(const PointsOptions *options)
+/* Whether surfels are taken from patches, whatever the method. */
+static bool is_kept_in_patches(const PointsOptions *options)
+{
+    return options->detail > 0 || options->budget > 0 || options->cache || options->compress;
+}
+
+/* Patches know no clips, but the adaptive method chooses by patches. */
+SplatMethod points_method(const PointsOptions *options)
 {
     const SplatMethod method = options->splats.method;
+    const bool is_clipped = options->sharp > 0 && !is_kept_in_patches(options);
+    return method == SPLAT_ADAPTIVE && is_clipped ? SPLAT_EWA : method;
+}
+
+bool points_needs_patches(const PointsOptions *options)
+{
+    const SplatMethod method = points_method(options);
     return splat_needs_patches(method) || method == SPLAT_QSPLAT || method == SPLAT_SEQUENCE ||
-           options->detail > 0 || options->budget > 0 || options->cache || options->compress;
+           is_kept_in_patches(options);
 }
 
 /* --- what goes together ----------------------------------------------------------------------- */

@@ -35,6 +35,10 @@ extern const PointsOptions points_option_defaults;
 GpResult points_options_check(const void *options, uint32_t given, const char *extension,
                               GpError *error);
 
+/* What a setting draws with: its own method, but ewa instead of adaptive where splats are to end at
+ * creases (sharp). */
+SplatMethod points_method(const PointsOptions *options);
+
 /* Whether a setting asks for patches: for levels, for filters that differ from patch to patch, or
  * since they are what is compressed and cached. */
 bool points_needs_patches(const PointsOptions *options);

@@ -84,7 +84,7 @@ GpResult points_select(const PointsModel *model, const PointsOptions *options, F
 {
     const SplatSetting *splats = &options->splats;
     if (!points_needs_patches(options))
-        return all_surfels(model, splats->method, frame, source, error);
+        return all_surfels(model, points_method(options), frame, source, error);
     const PointView view = splat_point_view(&model->view, splats);
     if (splats->method == SPLAT_QSPLAT)
         return walked_nodes(model, &view, options, frame, source, error);

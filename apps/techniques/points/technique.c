@@ -11,18 +11,20 @@ static GpResult build(void *made, const void *setting, GpDevice *device, Frame *
 {
     PointsModel *model = made;
     const PointsOptions *options = setting;
+    SplatSetting splats = options->splats;
     SplatSource source;
     GpResult result = GP_OK;
-    if (options->compress && !splat_takes_compressed(options->splats.method))
+    splats.method = points_method(options);
+    if (options->compress && !splat_takes_compressed(splats.method))
         return gp_fail(error, GP_ERROR_INVALID, "the method does not draw compressed points");
     if (points_needs_patches(options))
         result = points_model_structure(model, options->compress, gp_device_threads(device), error);
-    if (!result && options->splats.method == SPLAT_SEQUENCE)
+    if (!result && splats.method == SPLAT_SEQUENCE)
         result = points_model_sequence(model, error);
     if (!result)
         result = points_select(model, options, frame, &source, error);
     if (!result)
-        result = splats_build(&source, &model->view, &options->splats, frame, error);
+        result = splats_build(&source, &model->view, &splats, frame, error);
     frame->made = frame_copy(frame, options, sizeof *options);
     if (!result)
         result = frame_result(frame, error);
