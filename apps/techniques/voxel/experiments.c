@@ -76,14 +76,15 @@ static uint8_t *bits_of(const FlatTexture *flat)
 static const char *const metrics[] = { "voxels", "missing", "extra", NULL };
 
 /* Against the model. NaN without memory */
-static double wrong_of(VoxelModels *models, const VoxelSetting *setting, const uint8_t *bits)
+static double wrong_of(VoxelModels *models, const VoxelMade *made, const uint8_t *bits)
 {
+    const VoxelSetting *setting = &made->setting;
+    const VoxelBox *space = &made->pair.boxes[0];
     const VoxelInside inside =
         setting->method == VOXEL_WINDING ? VOXEL_BY_WINDING : VOXEL_BY_PARITY;
     return setting->kind == VOXEL_SOLID
-               ? voxel_truths_wrong_volume(&models->truths, &models->scene, inside, setting->size,
-                                           bits)
-               : voxel_truths_distance(&models->truths, &models->scene, setting->size, bits);
+               ? voxel_truths_wrong_volume(&models->truths, &models->scene, inside, space, bits)
+               : voxel_truths_distance(&models->truths, &models->scene, space, bits);
 }
 
 /* Each voxel has a centre, and a point of the model is as far from the nearest of all at least. */
@@ -91,9 +92,10 @@ static void find_least_error(void *scene, const void *setting, TechniqueError *l
 {
     VoxelModels *models = scene;
     const VoxelOptions *options = setting;
-    *least = (TechniqueError){ .error = voxel_truths_least_distance(&models->truths, &models->scene,
-                                                                    options->voxels.size),
-                               .whole = 1000 };
+    const VoxelBox space = voxel_pair_box(&models->pair, options->voxels.size);
+    *least = (TechniqueError){
+        .error = voxel_truths_least_distance(&models->truths, &models->scene, &space), .whole = 1000
+    };
 }
 
 static GpResult measure_error(void *scene, const Frame *frame, TechniqueError *measured,
@@ -103,7 +105,7 @@ static GpResult measure_error(void *scene, const Frame *frame, TechniqueError *m
     uint8_t *bits = bits_of(&made->pair.result);
     if (!bits)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    *measured = (TechniqueError){ .error = wrong_of(scene, &made->setting, bits), .whole = 1000 };
+    *measured = (TechniqueError){ .error = wrong_of(scene, made, bits), .whole = 1000 };
     gp_free(bits);
     return GP_OK;
 }
@@ -112,17 +114,16 @@ static GpResult measure(void *scene, const Frame *frame, TechniqueError *measure
 {
     VoxelModels *models = scene;
     const VoxelMade *made = frame->made;
-    const VoxelSetting *setting = &made->setting;
     const FlatTexture *texture = &made->pair.result;
-    const VoxelTruth *truth =
-        voxel_truths_find(&models->truths, &models->scene, truth_of(setting), setting->size);
+    const VoxelTruth *truth = voxel_truths_find(&models->truths, &models->scene,
+                                                truth_of(&made->setting), &made->pair.boxes[0]);
     uint8_t *bits = truth ? bits_of(texture) : NULL;
     if (!bits)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     uint64_t missing, extra;
     voxel_truth_compare(truth, bits, &missing, &extra);
     *measured = (TechniqueError){
-        .error = wrong_of(models, setting, bits),
+        .error = wrong_of(models, made, bits),
         .metrics = { (double)flat_texture_count(texture), (double)missing, (double)extra },
         .whole = 1000,
     };
@@ -166,7 +167,7 @@ static GpResult find_difference(void *scene, const void *setting, GpDevice *devi
     VoxelModels *models = scene;
     const VoxelMade *made = frame->made;
     const VoxelTruth *truth = voxel_truths_find(&models->truths, &models->scene,
-                                                truth_of(&made->setting), made->setting.size);
+                                                truth_of(&made->setting), &made->pair.boxes[0]);
     const GpSurface *drawn = frame->color;
     const uint32_t passes = frame->list.pass_count;
     const size_t pixels = (size_t)drawn->width * drawn->height;

@@ -6,20 +6,21 @@
 
 #include <string.h>
 
-/* --- at a size -------------------------------------------------------------------------------- */
+/* --- in a volume -------------------------------------------------------------------------------- */
 
 static const double surface_margin = 1e-3, solid_margin = 1.0 / 128; /* voxels */
 
 /* What rounding may decide about insides is near the surface. errors GP_ERROR_MEMORY */
 static GpResult find_inside(const TruthTriangle *triangles, uint32_t count, const VoxelTruth *truth)
 {
+    const uint32_t size = truth->space.size;
     VoxelWinding winding;
-    GpResult result = voxel_winding_make(triangles, count, truth->size, 2, &winding);
+    GpResult result = voxel_winding_make(triangles, count, size, 2, &winding);
     if (result)
         return result;
     const uint8_t *bits = truth->kind == VOXEL_TRUTH_WOUND ? winding.inside : winding.odd;
-    voxel_near(triangles, count, truth->size, solid_margin, truth->most);
-    for (size_t i = 0; i < voxel_bytes(truth->size); i++) {
+    voxel_near(triangles, count, size, solid_margin, truth->most);
+    for (size_t i = 0; i < voxel_bytes(size); i++) {
         uint8_t inside = bits[i], near = truth->most[i];
         truth->least[i] = (uint8_t)(inside & ~near);
         truth->most[i] = inside | near;
@@ -30,7 +31,7 @@ static GpResult find_inside(const TruthTriangle *triangles, uint32_t count, cons
 
 static GpResult find(const TruthTriangle *triangles, uint32_t count, const VoxelTruth *truth)
 {
-    const uint32_t size = truth->size;
+    const uint32_t size = truth->space.size;
     switch (truth->kind) {
     case VOXEL_TRUTH_TOUCHED:
         voxel_surface(triangles, count, size, -surface_margin, truth->least);
@@ -56,36 +57,50 @@ TruthTriangle *voxel_true_triangles(const VoxelScene *scene, const VoxelBox *spa
     return triangles;
 }
 
-const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene,
-                                    VoxelTruthKind kind, uint32_t size)
+static bool is_same_space(const VoxelBox *a, const VoxelBox *b)
 {
-    for (int i = 0; i < truths->count; i++)
-        if (truths->truths[i].kind == kind && truths->truths[i].size == size)
+    return a->size == b->size && a->scale == b->scale &&
+           memcmp(a->offset, b->offset, sizeof a->offset) == 0;
+}
+
+static int kept(const VoxelTruths *truths)
+{
+    return truths->count < VOXEL_MAX_TRUTHS ? truths->count : VOXEL_MAX_TRUTHS;
+}
+
+static void free_truth(VoxelTruth *truth)
+{
+    gp_free(truth->least);
+    gp_free(truth->most);
+    *truth = (VoxelTruth){ .least = NULL };
+}
+
+const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene,
+                                    VoxelTruthKind kind, const VoxelBox *space)
+{
+    for (int i = 0; i < kept(truths); i++)
+        if (truths->truths[i].kind == kind && is_same_space(&truths->truths[i].space, space))
             return &truths->truths[i];
-    if (truths->count == VOXEL_MAX_TRUTHS)
-        return NULL;
-    VoxelTruth *truth = &truths->truths[truths->count];
-    const VoxelBox space = voxel_scene_box(scene, size);
-    TruthTriangle *triangles = voxel_true_triangles(scene, &space);
-    *truth =
-        (VoxelTruth){ kind, size, gp_alloc(voxel_bytes(size), 1), gp_alloc(voxel_bytes(size), 1) };
-    bool good = triangles && truth->least && truth->most &&
-                !find(triangles, scene->mesh.triangle_count, truth);
-    truths->count += good;
-    if (!good) {
-        gp_free(truth->least);
-        gp_free(truth->most);
-    }
+    TruthTriangle *triangles = voxel_true_triangles(scene, space);
+    VoxelTruth truth = { kind, *space, gp_alloc(voxel_bytes(space->size), 1),
+                         gp_alloc(voxel_bytes(space->size), 1) };
+    const bool good = triangles && truth.least && truth.most &&
+                      !find(triangles, scene->mesh.triangle_count, &truth);
     gp_free(triangles);
-    return good ? truth : NULL;
+    if (!good) {
+        free_truth(&truth);
+        return NULL;
+    }
+    VoxelTruth *place = &truths->truths[truths->count++ % VOXEL_MAX_TRUTHS];
+    free_truth(place);
+    *place = truth;
+    return place;
 }
 
 void voxel_truths_free(VoxelTruths *truths)
 {
-    for (int i = 0; i < truths->count; i++) {
-        gp_free(truths->truths[i].least);
-        gp_free(truths->truths[i].most);
-    }
+    for (int i = 0; i < kept(truths); i++)
+        free_truth(&truths->truths[i]);
     voxel_distance_free(&truths->distance);
     for (int i = 0; i < 2; i++)
         voxel_probes_free(&truths->probes[i]);
@@ -97,7 +112,7 @@ void voxel_truth_compare(const VoxelTruth *truth, const uint8_t *bits, uint64_t 
                          uint64_t *extra)
 {
     *missing = *extra = 0;
-    for (size_t i = 0; i < voxel_bytes(truth->size); i++) {
+    for (size_t i = 0; i < voxel_bytes(truth->space.size); i++) {
         *missing += (unsigned)__builtin_popcount(truth->least[i] & ~bits[i]);
         *extra += (unsigned)__builtin_popcount(bits[i] & (uint8_t)~truth->most[i]);
     }
@@ -130,29 +145,28 @@ static bool make_distance(VoxelTruths *truths, const VoxelScene *scene)
     return truths->has_distance;
 }
 
-double voxel_truths_least_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size)
+double voxel_truths_least_distance(VoxelTruths *truths, const VoxelScene *scene,
+                                   const VoxelBox *space)
 {
-    const VoxelBox space = voxel_scene_box(scene, size);
     double least;
     if (!make_distance(truths, scene) ||
-        voxel_distance_least(&truths->distance, &space, truths->pool, &least))
+        voxel_distance_least(&truths->distance, space, truths->pool, &least))
         return 0;
     return 1000 * least;
 }
 
-static double find_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
+static double find_distance(VoxelTruths *truths, const VoxelScene *scene, const VoxelBox *space,
                             const uint8_t *bits)
 {
-    const VoxelBox space = voxel_scene_box(scene, size);
     VoxelApart apart;
     if (!make_distance(truths, scene) ||
-        voxel_distance_find(&truths->distance, &space, bits, truths->pool, &apart))
+        voxel_distance_find(&truths->distance, space, bits, truths->pool, &apart))
         return (double)NAN;
     return 1000 * fmax(apart.to_voxels, apart.to_model);
 }
 
 static double find_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, VoxelInside inside,
-                                uint32_t size, const uint8_t *bits)
+                                const VoxelBox *space, const uint8_t *bits)
 {
     VoxelProbes *probes = &truths->probes[inside];
     bool *has = &truths->has_probes[inside];
@@ -162,19 +176,20 @@ static double find_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, Vo
             triangles && !voxel_probes_make(triangles, scene->mesh.triangle_count, inside, probes);
         gp_free(triangles);
     }
-    const VoxelBox space = voxel_scene_box(scene, size);
-    return *has ? 1000 * voxel_probes_wrong(probes, &space, bits, truths->pool) : (double)NAN;
+    return *has ? 1000 * voxel_probes_wrong(probes, space, bits, truths->pool) : (double)NAN;
 }
 
 /* --- once for a volume ------------------------------------------------------------------------ */
 
 /* in   against: the surface, or the inside by one of two rules
  * out  hash: for remember; returns NULL where the volume is new */
-static const VoxelFound *recall(const VoxelTruths *truths, int against, uint32_t size,
+static const VoxelFound *recall(const VoxelTruths *truths, int against, const VoxelBox *space,
                                 const uint8_t *bits, uint64_t *hash)
 {
-    const uint32_t about[2] = { (uint32_t)against, size };
-    *hash = content_hash_bytes(bits, voxel_bytes(size), content_hash_bytes(about, sizeof about, 0));
+    const double about[] = { against,          space->size,      space->scale,
+                             space->offset[0], space->offset[1], space->offset[2] };
+    *hash = content_hash_bytes(bits, voxel_bytes(space->size),
+                               content_hash_bytes(about, sizeof about, 0));
     for (int i = 0; i < truths->found_count; i++)
         if (truths->found[i].hash == *hash)
             return &truths->found[i];
@@ -190,19 +205,19 @@ static double remember(VoxelTruths *truths, uint64_t hash, double error)
 
 enum { SURFACE, INSIDES }; /* against what: the insides have a number each */
 
-double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
+double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, const VoxelBox *space,
                              const uint8_t *bits)
 {
     uint64_t hash;
-    const VoxelFound *found = recall(truths, SURFACE, size, bits, &hash);
-    return found ? found->error : remember(truths, hash, find_distance(truths, scene, size, bits));
+    const VoxelFound *found = recall(truths, SURFACE, space, bits, &hash);
+    return found ? found->error : remember(truths, hash, find_distance(truths, scene, space, bits));
 }
 
 double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, VoxelInside inside,
-                                 uint32_t size, const uint8_t *bits)
+                                 const VoxelBox *space, const uint8_t *bits)
 {
     uint64_t hash;
-    const VoxelFound *found = recall(truths, INSIDES + (int)inside, size, bits, &hash);
+    const VoxelFound *found = recall(truths, INSIDES + (int)inside, space, bits, &hash);
     return found ? found->error
-                 : remember(truths, hash, find_wrong_volume(truths, scene, inside, size, bits));
+                 : remember(truths, hash, find_wrong_volume(truths, scene, inside, space, bits));
 }

@@ -16,11 +16,11 @@ typedef enum VoxelTruthKind {
     VOXEL_TRUTH_WOUND,   /* a winding number other than 0 there; the same */
 } VoxelTruthKind;
 
-enum { VOXEL_MAX_TRUTHS = 32 };
+enum { VOXEL_MAX_TRUTHS = 32 }; /* kept; the oldest goes */
 
 typedef struct VoxelTruth {
     VoxelTruthKind kind;
-    uint32_t size;
+    VoxelBox space;
     uint8_t *least, *most;
 } VoxelTruth;
 
@@ -32,10 +32,10 @@ typedef struct VoxelFound {
 
 enum { VOXEL_MAX_FOUND = 64 };
 
-/* Those of one scene, in the order of their finding. */
+/* Those of one scene. */
 typedef struct VoxelTruths {
     VoxelTruth truths[VOXEL_MAX_TRUTHS];
-    int count;
+    int count;    /* found so far: the last VOXEL_MAX_TRUTHS are there */
     GpPool *pool; /* that finds errors: voxel_truths_prepare */
     bool has_distance, has_probes[2];
     VoxelDistance distance;
@@ -47,25 +47,27 @@ typedef struct VoxelTruths {
 /* A mesh's triangles in a volume. NULL without memory; the caller frees them. */
 TruthTriangle *voxel_true_triangles(const VoxelScene *scene, const VoxelBox *space);
 
-/* The truth of a kind and a size: kept, or found now. NULL without memory, or without room. */
+/* The truth of a kind in a volume that lies so: kept, or found now. NULL without memory. Valid until
+ * the next is found. */
 const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene,
-                                    VoxelTruthKind kind, uint32_t size);
+                                    VoxelTruthKind kind, const VoxelBox *space);
 
 /* Before errors are asked for. in threads: 1..1024; errors do not depend on them
  * errors GP_ERROR_MEMORY */
 GpResult voxel_truths_prepare(VoxelTruths *truths, int threads, GpError *error);
 
-/* How far a volume of `size` is from the model's surface, and the surface from it: the larger of
+/* How far a volume that lies so is from the model's surface, and the surface from it: the larger of
  * both (voxel_distance.h); and how much of the model's inside it has wrong (voxel_probes.h). In
  * thousandths, of the model's longest side and of its enclosed volume. NaN without memory.
  * in   inside: VOXEL_BY_PARITY or VOXEL_BY_WINDING: which the model's inside is */
-double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
+double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, const VoxelBox *space,
                              const uint8_t *bits);
 double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, VoxelInside inside,
-                                 uint32_t size, const uint8_t *bits);
+                                 const VoxelBox *space, const uint8_t *bits);
 
 /* What voxel_truths_distance is at least, whatever a volume holds; 0 without memory. */
-double voxel_truths_least_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size);
+double voxel_truths_least_distance(VoxelTruths *truths, const VoxelScene *scene,
+                                   const VoxelBox *space);
 
 void voxel_truths_free(VoxelTruths *truths); /* zeroes it; a zeroed one is fine */
 

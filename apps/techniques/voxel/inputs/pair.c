@@ -58,6 +58,12 @@ static VoxelBox place_one(const VoxelPair *pair, const Bounds *bounds, uint32_t 
     return box_beside(&to, &(VoxelBox){ .size = size, .scale = 1 });
 }
 
+VoxelBox voxel_pair_box(const VoxelPair *pair, uint32_t size)
+{
+    const Bounds bounds = voxel_scene_bounds(pair->scenes[0]);
+    return place_one(pair, &bounds, size);
+}
+
 /* --- passes ----------------------------------------------------------------------------------- */
 
 static GpResult check(const VoxelPair *pair, const VoxelSetting *setting, GpError *error)

@@ -27,6 +27,9 @@ typedef struct VoxelPairMade {
     VoxelBox boxes[2];      /* of each model; the volume's place in their spaces */
 } VoxelPairMade;
 
+/* Where the volume of one model lies in its space. */
+VoxelBox voxel_pair_box(const VoxelPair *pair, uint32_t size);
+
 /* Makes flat textures and appends the passes of models and of what becomes of them. Two models lie
  * in the box of both, unless the first is placed.
  * errors those of voxel_scene_draw; GP_ERROR_INVALID: voxels of so many bits cannot be combined so

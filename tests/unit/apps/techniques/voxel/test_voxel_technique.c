@@ -144,22 +144,72 @@ static void truths_are_bounds_and_are_kept(void **state)
     const VoxelTruthKind kinds[] = { VOXEL_TRUTH_TOUCHED, VOXEL_TRUTH_SAMPLED, VOXEL_TRUTH_INSIDE };
     for (uint32_t size = 16; size <= 24; size += 8)
         for (size_t k = 0; k < GP_COUNT(kinds); k++) {
-            const VoxelTruth *truth = voxel_truths_find(&truths, &scene, kinds[k], size);
+            const VoxelBox box = voxel_scene_box(&scene, size);
+            const VoxelTruth *truth = voxel_truths_find(&truths, &scene, kinds[k], &box);
             assert_non_null(truth);
             for (size_t i = 0; i < voxel_bytes(size); i++)
                 assert_int_equal(truth->least[i] & ~truth->most[i], 0);
             uint64_t least = voxel_count(truth->least, size), most = voxel_count(truth->most, size);
             assert_true(least > 100 && most - least < least / 10);
-            assert_ptr_equal(truth, voxel_truths_find(&truths, &scene, kinds[k], size));
+            assert_ptr_equal(truth, voxel_truths_find(&truths, &scene, kinds[k], &box));
         }
     assert_int_equal(truths.count, 6);
 
     /* the ball's volume in voxels, from its radius of (24 - 2.5) / 2 */
-    const VoxelTruth *inside = voxel_truths_find(&truths, &scene, VOXEL_TRUTH_INSIDE, 24);
+    const VoxelBox box = voxel_scene_box(&scene, 24);
+    const VoxelTruth *inside = voxel_truths_find(&truths, &scene, VOXEL_TRUTH_INSIDE, &box);
     double voxels = (double)voxel_count(inside->least, 24);
     assert_true(fabs(voxels - 4.18879 * 10.75 * 10.75 * 10.75) < 100);
     voxel_truths_free(&truths);
     voxel_scene_close(&scene);
+}
+
+/* However many sizes and places are asked for, the last ones are kept. */
+static void there_is_room_for_every_truth(void **state)
+{
+    (void)state;
+    VoxelScene scene;
+    VoxelTruths truths = { .count = 0 };
+    GpError error = { "" };
+    uint64_t first = 0;
+    assert_int_equal(voxel_scene_open("builtin:cube", &scene, &error), GP_OK);
+    for (uint32_t i = 0; i <= 2 * VOXEL_MAX_TRUTHS + 1; i++) {
+        VoxelBox box = voxel_scene_box(&scene, 8);
+        box.scale *= 1 - i % (VOXEL_MAX_TRUTHS + 1) / 64.0;
+        const VoxelTruth *truth = voxel_truths_find(&truths, &scene, VOXEL_TRUTH_INSIDE, &box);
+        assert_non_null(truth);
+        assert_ptr_equal(truth, voxel_truths_find(&truths, &scene, VOXEL_TRUTH_INSIDE, &box));
+        const uint64_t most = voxel_count(truth->most, 8);
+        if (i == 0)
+            first = most;
+        assert_true(i % (VOXEL_MAX_TRUTHS + 1) ? most <= first : most == first);
+    }
+    voxel_truths_free(&truths);
+    voxel_scene_close(&scene);
+}
+
+/* Half as wide as its volume, a model is known as well as in a volume of half the size. */
+static void errors_are_measured_where_the_model_lies(void **state)
+{
+    (void)state;
+    static const char *const kinds[][2] = {
+        { "--size 31 --method thin", "--size 60 --method thin" },
+        { "--size 31 --kind solid", "--size 60 --kind solid" },
+    };
+    for (size_t k = 0; k < GP_COUNT(kinds); k++) {
+        TechniqueStage stage;
+        TechniqueError filled, half;
+        GpError error = { "" };
+        open_stage("builtin:knot", &stage);
+        VoxelModels *models = stage.scene;
+        assert_int_equal(technique_stage_measure(&stage, kinds[k][0], &filled, &error), GP_OK);
+        models->pair.place.fit = 0.5;
+        assert_int_equal(technique_stage_measure(&stage, kinds[k][1], &half, &error), GP_OK);
+        if (half.metrics[1] + half.metrics[2] != 0 || fabs(half.error / filled.error - 1) > 0.2)
+            fail_msg("%s: %g missing, %g extra, error %g instead of %g", kinds[k][1],
+                     half.metrics[1], half.metrics[2], half.error, filled.error);
+        technique_stage_close(&stage);
+    }
 }
 
 /* A model that its placement moves half out of the volume is cut off there, and nowhere else. */
@@ -355,6 +405,8 @@ int main(void)
         cmocka_unit_test(errors_tell_sizes_and_methods_apart),
         cmocka_unit_test(a_lost_voxel_is_missing_and_a_strange_one_is_extra),
         cmocka_unit_test(truths_are_bounds_and_are_kept),
+        cmocka_unit_test(there_is_room_for_every_truth),
+        cmocka_unit_test(errors_are_measured_where_the_model_lies),
         cmocka_unit_test(a_placed_model_is_cut_at_the_sides),
         cmocka_unit_test(every_dirty_mesh_is_voxelized_exactly),
         cmocka_unit_test(a_plane_is_odd_along_its_normal),
