@@ -310,6 +310,37 @@ static void a_solid_of_an_open_mesh_warns(void **state)
     json_decref(object);
 }
 
+/* Methods that draw surfaces inside the volume alone say so where the model leaves it. */
+static void a_solid_that_leaves_its_volume_warns(void **state)
+{
+    static const struct {
+        const char *options;
+        bool warns;
+    } rows[] = {
+        { "--fit 1.3", false },
+        { "--fit 1.3 --method winding", false },
+        { "--fit 1.3 --method slices", true },
+        { "--fit 1.3 --method ldi", true },
+        { "--fit 1.3 --method faces", true },
+        { "--fit 1.3 --method sheets", true },
+        { "--fit 1.3 --method sheets --axes 1", true },
+        { "--fit 0.9 --method slices", false },
+        { "--fit 0.9 --method faces", false },
+        { "--xform 7 0 8 8 --method slices", false }, /* beside the lines that it looks along */
+        { "--xform 7 0 8 8 --method faces", true },
+    };
+    (void)state;
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        assert_int_equal(
+            shell("glasspipe voxelize -q builtin:sphere -n 16 --kind solid %s", rows[i].options),
+            0);
+        if (rows[i].warns)
+            expect_contains(err, "warning: builtin:sphere reaches out of the volume");
+        else
+            assert_string_equal(err, "");
+    }
+}
+
 static void the_report_tells_what_is_open(void **state)
 {
     (void)state;
@@ -470,6 +501,7 @@ int main(void)
         PROGRAM_TEST(a_placed_model_lies_where_it_is_told),
         PROGRAM_TEST(json_has_the_volume_its_times_and_the_report),
         PROGRAM_TEST(a_solid_of_an_open_mesh_warns),
+        PROGRAM_TEST(a_solid_that_leaves_its_volume_warns),
         PROGRAM_TEST(the_report_tells_what_is_open),
         PROGRAM_TEST(a_solid_of_overlapping_shells_warns),
     };

@@ -114,6 +114,26 @@ static GpResult warn_if_doubled(const VoxelModels *models, int which, const Voxe
     return result;
 }
 
+/* Nor is a surface missed outside of the volume, which some methods do not draw, without a word.
+ * Those that look along z alone miss none beside it. */
+static void warn_if_outside(const char *name, const VoxelScene *scene, const VoxelSetting *setting,
+                            const VoxelBox *box, TechniqueReport *report)
+{
+    const VoxelMethod method = setting->method;
+    const bool sheets = method == VOXEL_SHEETS, faces = method == VOXEL_FACES;
+    const bool all = faces || (sheets && setting->axes != 1);
+    const Bounds bounds = voxel_scene_bounds(scene);
+    bool outside = false;
+    for (int k = all ? 0 : 2; k < 3; k++)
+        outside |= bounds.low[k] * box->scale + box->offset[k] < 0 ||
+                   bounds.high[k] * box->scale + box->offset[k] > box->size;
+    if (outside && (sheets || faces || method == VOXEL_SLICES || method == VOXEL_LDI))
+        text_add(&report->warnings,
+                 "%s reaches out of the volume, where this method draws no surface: the solid "
+                 "may be wrong\n--method xor and winding draw all\n",
+                 name);
+}
+
 /* Told of the first model where that is asked for, and to --json of every mesh. */
 static GpResult tell_facts(const VoxelOptions *options, const VoxelScene *scene, VoxelFacts *facts,
                            TechniqueReport *report, GpError *error)
@@ -147,6 +167,8 @@ static GpResult look_at_mesh(const VoxelModels *models, int which, const VoxelOp
         result = tell_facts(options, scene, &facts, report, error);
     if (!result && solid)
         warn_if_open(models->pair.names[which], &facts.mesh, winds, report);
+    if (!result && solid)
+        warn_if_outside(models->pair.names[which], scene, &options->voxels, box, report);
     if (!result && solid && !winds)
         result = warn_if_doubled(models, which, box, &facts.mesh, report, error);
     return result;
