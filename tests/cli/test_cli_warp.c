@@ -140,6 +140,23 @@ static void odd_places_and_sizes_are_drawn(void **state)
     expect_files("a.exr " CAMERAS);
 }
 
+/* Also where the truth is looked for before any setting is drawn. */
+static void a_truth_has_the_colour_that_was_asked_for(void **state)
+{
+    (void)state;
+    static const char *const errors[] = { "", "--error 20" };
+    unlink("scene.json");
+    for (size_t i = 0; i < GP_COUNT(errors); i++) {
+        shell(
+            "glasspipe warp builtin:knot --color gold --truth builtin:knot --size 96x96 --measure "
+            "--json -q -o a.png %s",
+            errors[i]);
+        json_t *object = parse_output();
+        assert_true(json_real_value(json_object_get(object, "interior_psnr")) > 24);
+        json_decref(object);
+    }
+}
+
 static void json_has_what_checks_ask_for(void **state)
 {
     (void)state;
@@ -365,6 +382,7 @@ int main(void)
         PROGRAM_TEST(wrong_arguments_are_usage_errors),
         PROGRAM_TEST(wrong_files_are_input_errors_of_one_line),
         PROGRAM_TEST(odd_places_and_sizes_are_drawn),
+        PROGRAM_TEST(a_truth_has_the_colour_that_was_asked_for),
         PROGRAM_TEST(json_has_what_checks_ask_for),
         PROGRAM_TEST(options_of_one_method_mean_it),
         PROGRAM_TEST(small_relief_is_laid_over_all_kinds),

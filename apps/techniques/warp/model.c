@@ -133,6 +133,7 @@ static GpResult open_images(const TechniqueInput *input, WarpModel *model, GpErr
 /* The truth's picture is the view's, where none is described. */
 static GpResult open_truth(const WarpOptions *options, WarpModel *model, GpError *error)
 {
+    model->color = options->color;
     model->truth_path = options->truth;
     if (!options->truth || !depth_file_is_readable(options->truth))
         return GP_OK;
@@ -321,7 +322,7 @@ static GpResult find_truth(WarpModel *model, const WarpOptions *options, int thr
             "it, and --error has none");
     GpResult result = GP_OK;
     if (model->truth_path)
-        result = open_mesh(model->truth_path, options->color, &mesh, &polygons, error);
+        result = open_mesh(model->truth_path, model->color, &mesh, &polygons, error);
     if (!result)
         result = warp_truth_of_mesh(&polygons, &view, threads, truth, error);
     gp_mesh_free(&mesh);

@@ -40,6 +40,7 @@ typedef struct WarpModel {
     Camera about;      /* what the view is turned from */
     WarpImages *images;
     WarpHeights heights;     /* on all of them */
+    const char *color;       /* as the options have it */
     const char *truth_path;  /* a file; NULL: the mesh */
     DepthModel truth_images; /* of that file, where it is one */
     Camera fixed;            /* the view, */
