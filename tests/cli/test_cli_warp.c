@@ -40,6 +40,10 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "a.ply --method layers --entries 9", "--entries does not go with" },
         { "a.ply --method relief-texture --cut slopes",
           "does not go with --method relief-texture" },
+        { "a.ply --kind cylinder --cut none", "--cut does not go with --method surface" },
+        { "a.ply --kind box --tolerance 5", "--tolerance does not go with --method surface" },
+        { "a.ply --kind cylinder --detail b.png --cut none",
+          "--cut does not go with --method cylinder" },
         { "a.ply --tolerance 17", "--tolerance: expected a number from -1 to 16" },
         { "a.ply --halvings 0", "--halvings" },
         { "a.ply --share 0", "--share: expected a number from 0.001 to 1" },
@@ -331,9 +335,13 @@ static void images_of_files_are_those_that_were_captured(void **state)
         snprintf(arguments, sizeof arguments, "warp a.exr -o b.png %s", rows[i][0]);
         expect_refused(3, arguments, rows[i][1]);
     }
+    if (shell("glasspipe warp capture builtin:knot --kind cylinder --size 32x32 -q -o b.exr"))
+        fail_msg("%s", err);
+    expect_refused(3, "warp b.exr --cut none -o b.png", "b.exr: --cut is of planar images");
+    expect_refused(3, "warp b.exr --tolerance 2 -o b.png", "b.exr: --tolerance is of planar");
     write_file("broken.exr", "no picture");
     expect_refused(3, "warp broken.exr -o b.png", "broken.exr");
-    expect_files("a.exr a.png aside.json broken.exr");
+    expect_files("a.exr a.png aside.json b.exr broken.exr");
 }
 
 /* Another photograph of a room says how far off the first one is, moved to its place. */

@@ -113,11 +113,7 @@ GpResult warp_methods_add(WarpModel *model, const WarpOptions *options, const Wa
 WarpMethod warp_method_of(const WarpModel *model, const WarpOptions *options)
 {
     const WarpKind kind = model->is_image ? model->images->kind : options->kind;
-    return options->method != WARP_AUTO ? options->method
-           : kind == WARP_PLANAR        ? WARP_LAYERS
-           : !options->detail           ? WARP_SURFACE
-           : kind == WARP_CYLINDER      ? WARP_CYLINDER_PRINTED
-                                        : WARP_LAYERS; /* surfaces are merged before any relief */
+    return options->method == WARP_AUTO ? warp_auto_method(kind, options->detail) : options->method;
 }
 
 static bool has_made(const WarpImages *images, WarpMethod method)

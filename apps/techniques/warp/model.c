@@ -103,6 +103,21 @@ static GpResult check_image(const char *path, const WarpOptions *options, GpErro
                  : GP_OK;
 }
 
+/* Nor are options kept that the method auto does not have for images of its kind. */
+static GpResult check_method(const char *path, const WarpOptions *options, WarpKind kind,
+                             GpError *error)
+{
+    const bool is_surface =
+        options->method == WARP_AUTO && warp_auto_method(kind, options->detail) != WARP_LAYERS;
+    const char *wrong = options->cut != warp_option_defaults.cut               ? "cut"
+                        : options->tolerance != warp_option_defaults.tolerance ? "tolerance"
+                                                                               : NULL;
+    return is_surface && wrong
+               ? gp_fail(error, GP_ERROR_INVALID,
+                         "%.200s: --%s is of planar images, and this is none", path, wrong)
+               : GP_OK;
+}
+
 static GpResult open_images(const TechniqueInput *input, WarpModel *model, GpError *error)
 {
     const WarpOptions *options = input->setting;
@@ -119,6 +134,12 @@ static GpResult open_images(const TechniqueInput *input, WarpModel *model, GpErr
     const DepthImage *first = &images->model.images[0];
     const bool is_plane = images->model.count == 1 && !first->is_cylinder;
     images->kind = first->is_cylinder ? WARP_CYLINDER : is_plane ? WARP_PLANAR : WARP_BOX;
+    result = check_method(input->path, options, images->kind, error);
+    if (result) {
+        depth_model_free(&images->model);
+        gp_free(images);
+        return result;
+    }
     model->images = images;
     model->is_image = true;
     model->bounds = bounds_of_images(&images->model);

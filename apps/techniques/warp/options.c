@@ -158,6 +158,14 @@ bool warp_method_draws(WarpMethod method, WarpKind kind)
     return draws[method] >> kind & 1;
 }
 
+WarpMethod warp_auto_method(WarpKind kind, bool has_detail)
+{
+    return kind == WARP_PLANAR     ? WARP_LAYERS
+           : !has_detail           ? WARP_SURFACE
+           : kind == WARP_CYLINDER ? WARP_CYLINDER_PRINTED
+                                   : WARP_LAYERS; /* surfaces are merged before any relief */
+}
+
 /* --- what goes together ----------------------------------------------------------------------- */
 
 /* Options of some methods alone. Where no method is named they mean the first of them, unless auto
@@ -199,6 +207,9 @@ GpResult warp_options_check(const void *setting, uint32_t given, const char *ext
 {
     const WarpOptions *options = setting;
     const SettingField *fields = warp_settings;
+    const bool is_auto = options->method == WARP_AUTO;
+    const WarpMethod method =
+        is_auto ? warp_auto_method(options->kind, options->detail) : options->method;
     double waves;
     (void)extension;
     const bool is_from = setting_is_given(fields, given, "from"),
@@ -231,10 +242,12 @@ GpResult warp_options_check(const void *setting, uint32_t given, const char *ext
         if (rules[i].is_wrong)
             return gp_fail(error, GP_ERROR_INVALID, "%s", rules[i].reason);
     for (size_t i = 0; i < GP_COUNT(belongs); i++)
-        if (!(belongs[i].methods >> options->method & 1) &&
+        if (!(belongs[i].methods >> method & 1) &&
             setting_is_given(fields, given, belongs[i].option))
-            return gp_fail(error, GP_ERROR_INVALID, "--%s does not go with --method %s",
-                           belongs[i].option, methods[options->method]);
+            return gp_fail(error, GP_ERROR_INVALID, "--%s does not go with --method %s%s%s",
+                           belongs[i].option, methods[method],
+                           is_auto ? ", which draws images of --kind " : "",
+                           is_auto ? kinds[options->kind] : "");
     if (!warp_method_draws(options->method, options->kind))
         return gp_fail(error, GP_ERROR_INVALID, "--method %s does not draw images of --kind %s",
                        methods[options->method], kinds[options->kind]);

@@ -70,6 +70,9 @@ void warp_options_imply(void *options, uint32_t given);
 GpResult warp_options_check(const void *options, uint32_t given, const char *extension,
                             GpError *error);
 
+/* What the method auto is of images of a kind. */
+WarpMethod warp_auto_method(WarpKind kind, bool has_detail);
+
 /* What a method is called, and whether it draws images of a kind. */
 const char *warp_method_name(WarpMethod method);
 bool warp_method_draws(WarpMethod method, WarpKind kind);
