@@ -19,8 +19,9 @@ static void fit_range(const Bounds *bounds, Camera *camera)
         middle[k] = bounds->low[k] + half - camera->eye[k];
         radius += half * half;
     }
-    radius = fmax(sqrt(radius), 1e-6);
     const double distance = vector_dot(middle, forward);
+    const double least = distance != 0 ? fabs(distance) * 1e-6 : 1e-6; /* of what is a point */
+    radius = radius > 0 ? sqrt(radius) : least;
     if (!(camera->fovy > 0))
         vector_add_scaled(camera->eye, distance - 2 * radius, forward, camera->eye);
     const double ahead = camera->fovy > 0 ? distance : 2 * radius;

@@ -78,6 +78,37 @@ static void turned_cameras_see_the_box_between_near_and_far(void **state)
         }
 }
 
+/* A model in any unit is seen alike; and one that is a point, from a range about it. */
+static void ranges_have_no_unit(void **state)
+{
+    (void)state;
+    for (int e = -30; e <= 18; e += 6) {
+        const double unit = pow(10, e);
+        Bounds small = box;
+        Camera camera = cameras[0];
+        camera.near *= unit;
+        camera.far *= unit;
+        for (int k = 0; k < 3; k++) {
+            small.low[k] *= unit;
+            small.high[k] *= unit;
+            camera.eye[k] *= unit;
+            camera.at[k] *= unit;
+        }
+        const Camera at_one = camera_turned(&cameras[0], &box, 40);
+        Camera turned = camera_turned(&camera, &small, 40);
+        assert_true(fabs(turned.near / unit - at_one.near) < 1e-9);
+        assert_true(fabs(turned.far / unit - at_one.far) < 1e-9);
+        small.high[0] = small.low[0] = camera.at[0];
+        small.high[1] = small.low[1] = camera.at[1];
+        small.high[2] = small.low[2] = camera.at[2];
+        turned = camera_turned(&camera, &small, 0);
+        double line[3];
+        vector_subtract(camera.at, camera.eye, line);
+        const double ahead = sqrt(vector_dot(line, line));
+        assert_true(turned.near > 0.99 * ahead && turned.near < ahead && turned.far > ahead);
+    }
+}
+
 static void images_of_nothing_have_a_place(void **state)
 {
     (void)state;
@@ -101,6 +132,7 @@ int main(void)
         cmocka_unit_test(a_planes_camera_is_the_one_that_took_it),
         cmocka_unit_test(windows_off_the_middle_are_seen_whole),
         cmocka_unit_test(turned_cameras_see_the_box_between_near_and_far),
+        cmocka_unit_test(ranges_have_no_unit),
         cmocka_unit_test(images_of_nothing_have_a_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
