@@ -52,6 +52,13 @@ GpResult truth_scene_create(const TruthTriangle *triangles, uint32_t count, Trut
     return GP_OK;
 }
 
+GpResult truth_scene_fail(GpError *error, GpResult result)
+{
+    return gp_fail(error, result, "%s",
+                   result == GP_ERROR_INVALID ? "the truth is of finite coordinates, and one is not"
+                                              : "no memory for the truth");
+}
+
 void truth_scene_destroy(TruthScene **scene)
 {
     if (!*scene)

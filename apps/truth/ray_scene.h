@@ -22,6 +22,8 @@ typedef struct TruthHit {
 /* Builds a scene of any number of triangles, 0 too; it keeps a copy.
  * errors GP_ERROR_INVALID (a coordinate that is not finite), GP_ERROR_MEMORY */
 GpResult truth_scene_create(const TruthTriangle *triangles, uint32_t count, TruthScene **scene);
+/* Tells why there is none. in result: truth_scene_create's, not GP_OK. returns result */
+GpResult truth_scene_fail(GpError *error, GpResult result);
 void truth_scene_destroy(TruthScene **scene); /* NULL-safe, sets NULL */
 
 const TruthTriangle *truth_scene_triangle(const TruthScene *scene, uint32_t number);

@@ -245,10 +245,11 @@ static GpResult cast_truth(void *made, int threads, bool only_lit, GpError *erro
     TruthScene *triangles = NULL;
     shadow_truth_free(&opened->truth); /* of an earlier question */
     GpResult result = collect_triangles(scene, &triangles);
-    if (!result)
-        result = shadow_truth_cast(triangles, &view, &opened->truth);
+    if (result)
+        return truth_scene_fail(error, result);
+    result = shadow_truth_cast(triangles, &view, &opened->truth);
     truth_scene_destroy(&triangles);
-    return gp_fail(error, result, "no memory for the truth");
+    return result ? gp_fail(error, result, "no memory for the truth") : GP_OK;
 }
 
 static GpResult find_truth(void *made, int threads, GpError *error)

@@ -57,7 +57,7 @@ GpResult warp_truth_of_mesh(const Polygons *mesh, const WarpView *view, int thre
         triangles ? truth_scene_create(triangles, mesh->triangle_count, &scene) : GP_ERROR_MEMORY;
     gp_free(triangles);
     if (result)
-        return gp_fail(error, result, "no memory for the truth");
+        return truth_scene_fail(error, result);
     result = cast(mesh, view, scene, threads, truth, error);
     truth_scene_destroy(&scene);
     return result;

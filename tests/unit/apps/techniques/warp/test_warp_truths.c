@@ -77,10 +77,24 @@ static void a_depth_image_is_a_truth_from_its_eye(void **state)
     assert_non_null(strstr(error.text, "from the eye of the view"));
 }
 
+static void a_mesh_that_is_not_finite_has_no_truth(void **state)
+{
+    (void)state;
+    const float positions[9] = { 0, 0, -2, 1, 0, -2, 0, (float)INFINITY, -2 };
+    const uint32_t indices[3] = { 0, 1, 2 };
+    const Polygons mesh = { .positions = positions, .indices = indices, .triangle_count = 1 };
+    const WarpView view = { .camera = camera, .width = 4, .height = 4 };
+    RayPicture truth;
+    GpError error;
+    assert_int_equal(warp_truth_of_mesh(&mesh, &view, 1, &truth, &error), GP_ERROR_INVALID);
+    assert_non_null(strstr(error.text, "finite coordinates"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(figures_are_those_by_hand),
+        cmocka_unit_test(a_mesh_that_is_not_finite_has_no_truth),
         cmocka_unit_test(a_depth_image_is_a_truth_from_its_eye),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
