@@ -49,16 +49,30 @@ static double zoom_angle(double angle, double zoom)
     return low;
 }
 
+/* Half the size of what is seen. A point has one too, so that it has a place between near and far:
+ * a thousandth of where it lies. */
+static double find_half(const Bounds *seen, double half[3])
+{
+    double sum = 0, at = 0;
+    for (int k = 0; k < 3; k++) {
+        half[k] = (seen->high[k] - seen->low[k]) / 2;
+        sum += half[k];
+        at = fmax(at, fabs(seen->low[k]));
+    }
+    if (sum > 0)
+        return sum;
+    at = at > 0 ? at * 1e-3 : 1;
+    vector_set(half, at, at, at);
+    return 3 * at;
+}
+
 Camera orbit_camera(const Orbit *orbit, const Bounds *seen, double aspect, double nearest)
 {
-    double axes[3][3], half[3], sine, cosine, distance = 0, radius = 0;
+    double axes[3][3], half[3], sine, cosine, distance = 0;
     find_axes(orbit, axes);
     angle_sincos(ANGLE / 2, &sine, &cosine);
     const double wide = BORDER * cosine / sine / aspect, high = BORDER * cosine / sine;
-    for (int k = 0; k < 3; k++) {
-        half[k] = (seen->high[k] - seen->low[k]) / 2;
-        radius += half[k];
-    }
+    const double radius = find_half(seen, half);
     for (int corner = 0; corner < 8; corner++) {
         double at[3];
         for (int k = 0; k < 3; k++)
@@ -71,7 +85,7 @@ Camera orbit_camera(const Orbit *orbit, const Bounds *seen, double aspect, doubl
                       .near = fmax(distance - radius, nearest),
                       .far = distance + radius };
     for (int k = 0; k < 3; k++) {
-        camera.at[k] = seen->low[k] + half[k];
+        camera.at[k] = seen->low[k] + (seen->high[k] - seen->low[k]) / 2;
         camera.eye[k] = camera.at[k] + distance * axes[2][k];
         camera.up[k] = axes[1][k];
     }

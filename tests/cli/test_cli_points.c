@@ -178,6 +178,25 @@ static void coordinates_that_floats_cannot_hold_are_warned_of(void **state)
     unlink("a.png");
 }
 
+/* Discs that are larger than the box of their centres are seen whole. */
+static void one_point_is_a_picture(void **state)
+{
+    (void)state;
+    write_points();
+    write_file("one.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float radius\n" HEADER
+                          "0.5 7 7 7 0.5 0.5 0.7\n");
+    write_file("away.json", "{ \"eye\": [0, 0, 0], \"at\": [-1, -1, -1] }");
+    assert_int_equal(shell("glasspipe points one.ply -q --size 32x32 --camera away.json"), 0);
+    char empty[128];
+    snprintf(empty, sizeof empty, "%.120s", out);
+    assert_int_equal(shell("glasspipe points one.ply -q --size 32x32"), 0);
+    assert_string_not_equal(out, empty);
+    unlink("one.ply");
+    unlink("away.json");
+    unlink("one.png");
+    expect_files("four.xyz zero.ply");
+}
+
 /* Beside its remedy: faces that end at an edge as discs, and at clip lines. */
 static void a_cube_has_sharp_edges(void **state)
 {
@@ -292,6 +311,7 @@ int main(void)
         PROGRAM_TEST(points_are_drawn_and_reported),
         PROGRAM_TEST(builtin_points_are_drawn),
         PROGRAM_TEST(coordinates_that_floats_cannot_hold_are_warned_of),
+        PROGRAM_TEST(one_point_is_a_picture),
         PROGRAM_TEST(a_cube_has_sharp_edges),
         PROGRAM_TEST(sharp_edges_need_no_method),
         PROGRAM_TEST(json_has_what_checks_ask_for),

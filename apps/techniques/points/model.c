@@ -131,6 +131,22 @@ static float mean_leaf_radius(const Patches *patches)
     return (float)(sum / patches->leaf_count);
 }
 
+/* The box of the points' centres, but of discs that are larger than it one that they fill. Radii
+ * are rounded up to a power of two, which is the same of points from a cache. */
+static Bounds find_seen(const PointsModel *model)
+{
+    Bounds seen = model->bounds;
+    int power;
+    if (bounds_longest(&seen) >= (double)model->mean_radius)
+        return seen;
+    frexp((double)model->mean_radius, &power);
+    for (int k = 0; k < 3; k++) {
+        seen.low[k] -= ldexp(1, power);
+        seen.high[k] += ldexp(1, power);
+    }
+    return seen;
+}
+
 static GpResult find_view(const TechniqueInput *input, const Bounds *bounds, SplatView *view,
                           GpError *error)
 {
@@ -202,8 +218,9 @@ GpResult points_model_open(const TechniqueInput *input, void **made, GpError *er
     model->listener = (PointsListener){ input->progress, input->user };
     model->keeps = options->compress;
     GpResult result = find_points(input, model, error);
+    const Bounds seen = result ? model->bounds : find_seen(model);
     if (!result)
-        result = find_view(input, &model->bounds, &model->view, error);
+        result = find_view(input, &seen, &model->view, error);
     if (result) {
         points_model_close(model);
         return result;

@@ -1,5 +1,7 @@
 /* Matrices of cameras, against their definitions and libm. */
 #include "apps/base/camera.h"
+#include "apps/base/orbit.h"
+#include "pipeline/base/base.h"
 #include "tests/support/unit.h"
 
 #include <math.h>
@@ -170,6 +172,26 @@ static void normals_stay_square_to_their_surface(void **state)
     near_to(vector_dot(moved, mb), 0, 1e-12);
 }
 
+/* Of a point too there is a picture, with the point in its middle. */
+static void an_orbit_about_a_point_has_a_matrix(void **state)
+{
+    (void)state;
+    static const double points[][3] = { { 0, 0, 0 }, { 3, -4e6, 5 }, { 1e-12, 0, 0 } };
+    const Orbit orbit = { .azimuth = 30, .elevation = 20, .zoom = 2 };
+    for (size_t i = 0; i < GP_COUNT(points); i++) {
+        const double *p = points[i], at[4] = { p[0], p[1], p[2], 1 };
+        const Bounds seen = { { p[0], p[1], p[2] }, { p[0], p[1], p[2] } };
+        const Camera camera = orbit_camera(&orbit, &seen, 1.5, 0);
+        double view[4][4], eye[4];
+        assert_true(camera.near > 0 && camera.far > camera.near);
+        camera_view(&camera, view);
+        transform(view, at, eye);
+        const double distance = fabs(eye[2]);
+        assert_true(distance > camera.near && distance < camera.far);
+        assert_true(fabs(eye[0]) < 1e-6 * distance && fabs(eye[1]) < 1e-6 * distance);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -183,6 +205,7 @@ int main(void)
         cmocka_unit_test(an_inverse_undoes_its_matrix),
         cmocka_unit_test(a_rotation_turns_right_handed_about_its_axis),
         cmocka_unit_test(normals_stay_square_to_their_surface),
+        cmocka_unit_test(an_orbit_about_a_point_has_a_matrix),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
