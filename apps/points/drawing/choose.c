@@ -64,10 +64,19 @@ static SplatMethod bounded_filter(const Chooser *chooser, const PatchRange *rang
 
 /* Ours: by how many pixels the standard deviation of splats may grow where surfels are merged. With
  * the pixel's filter alone its variance h becomes h + d^2, along both axes; 2 f(1 + x) <= x^2, so
- * that L is at most d^2 / h (filter.h). */
+ * that L is at most d^2 / h (apps/base/filter_bound.h). */
 static double bounded_detail(const SplatSetting *setting)
 {
     return setting->method == SPLAT_ADAPTIVE ? setting->low_pass * sqrt(2 * setting->tolerance) : 0;
+}
+
+/* From both sides a surfel shows as much that is turned away: the mean absolute value. */
+static double mean_cosine(const Facing *facing, bool two_sided)
+{
+    const double low = facing->low, high = facing->high, mean = (low + high) / 2;
+    if (!two_sided)
+        return fmax(mean, 0);
+    return low < 0 && high > 0 ? (low * low + high * high) / (2 * (high - low)) : fabs(mean);
 }
 
 /* Of a mean surfel in the patch's middle: its area on the picture over the filter's, squares of
@@ -75,7 +84,7 @@ static double bounded_detail(const SplatSetting *setting)
 static double area_ratio(const Chooser *chooser, const PatchRange *range)
 {
     const double depth = (range->nearest + range->farthest) / 2;
-    const double cosine = fmax((range->facing.low + range->facing.high) / 2, 0);
+    const double cosine = mean_cosine(&range->facing, chooser->setting->two_sided);
     const double radius = (double)range->mean_radius * chooser->setting->spread;
     const double pixels = radius * chooser->view.pixels / depth;
     return pixels * pixels * cosine / chooser->h;

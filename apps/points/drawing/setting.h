@@ -6,7 +6,7 @@
 #include "apps/points/hierarchy.h"
 
 typedef enum SplatMethod {
-    SPLAT_ADAPTIVE,       /* the cheapest filter whose error has a bound: filter.h */
+    SPLAT_ADAPTIVE,       /* the cheapest filter whose error has a bound */
     SPLAT_EWA,            /* both filters */
     SPLAT_RECONSTRUCTION, /* the surfel's own Gaussian alone */
     SPLAT_LOW_PASS,       /* the pixel's filter alone */

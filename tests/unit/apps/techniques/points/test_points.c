@@ -218,6 +218,29 @@ static void what_is_behind_the_eye_does_not_show(void **state)
     check(rows, GP_COUNT(rows));
 }
 
+/* Printed thresholds are of areas, and what is turned away has one too. */
+static void filters_are_chosen_for_backs_too(void **state)
+{
+    (void)state;
+    static const Camera within = { .eye = { 0, 0, 0.2 },
+                                   .at = { 0, 0, -1 },
+                                   .up = { 0, 1, 0 },
+                                   .fovy = 60,
+                                   .near = 0.8,
+                                   .far = 20 };
+    static const Model coarse = { "builtin:sphere", 0, 1, &within },
+                       ball = { "builtin:sphere", 2, 1, &within };
+    static const Row rows[] = {
+        { "both filters, coarse", &coarse, "--method ewa --two-sided", "holes", 0, 0 },
+        { "by distance", &coarse, "--method distance --two-sided", "holes", 0, 0 },
+        { "by areas", &coarse, "--method area --two-sided", "holes", 0, 0 },
+        { "both filters", &ball, "--method ewa --two-sided", "decibels", 40, 99 },
+        { "by distance", &ball, "--method distance --two-sided", "decibels", 40, 99 },
+        { "by areas", &ball, "--method area --two-sided", "decibels", 40, 99 },
+    };
+    check(rows, GP_COUNT(rows));
+}
+
 static void sums_of_bytes_saturate_and_vanish(void **state)
 {
     (void)state;
@@ -304,6 +327,7 @@ int main(void)
         cmocka_unit_test(epsilon_is_neither_too_small_nor_too_large),
         cmocka_unit_test(nothing_blows_up_at_the_eye_plane),
         cmocka_unit_test(what_is_behind_the_eye_does_not_show),
+        cmocka_unit_test(filters_are_chosen_for_backs_too),
         cmocka_unit_test(sums_of_bytes_saturate_and_vanish),
         cmocka_unit_test(radii_too_small_leave_holes),
         cmocka_unit_test(watertight_samplings_have_no_hole_from_all_round),
