@@ -62,7 +62,8 @@ static GpResult make_image(const Picture *color, const Picture *map, double widt
     for (size_t i = 0; i < (size_t)map->width * map->height; i++) {
         const float *value = map->values + i * (size_t)map->channels;
         const double above = (double)value[has_normals ? 3 : 0];
-        pixels->depth[i] = (float)(relief * (above < 0 ? 1 : above > 1 ? 0 : 1 - above));
+        /* what is no number is at the ground */
+        pixels->depth[i] = (float)(relief * (above >= 0 ? above > 1 ? 0 : 1 - above : 1));
         if (has_normals)
             take_normal(value, pixels->normal + 3 * i);
         for (size_t k = 0; k < 3; k++)

@@ -232,6 +232,25 @@ static void height_maps_are_reliefs_about_the_origin(void **state)
                      GP_ERROR_IO);
 }
 
+/* What is no number is at the ground, as all depths are finite. */
+static void heights_that_are_no_numbers_are_the_ground(void **state)
+{
+    (void)state;
+    float heights[4] = { 0.25f, (float)NAN, -(float)NAN, (float)INFINITY };
+    uint8_t white[12] = { 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255 };
+    char color[400], map[400];
+    strcpy(color, put_image("w.ppm", 2, 2, 3, GP_IMAGE_U8, white));
+    strcpy(map, put_image("nan.exr", 2, 2, 1, GP_IMAGE_F32, heights));
+    DepthImage image;
+    GpError error = { "" };
+    if (height_map_read(color, map, 2, 0.5, &image, &error))
+        fail_msg("%s", error.text);
+    const float expected[4] = { 0.375f, 0.5f, 0.5f, 0 };
+    for (int i = 0; i < 4; i++)
+        assert_true(image.front.depth[i] == expected[i]);
+    depth_pixels_free(&image.front);
+}
+
 /* --- two views of one room -------------------------------------------------------------------- */
 
 static int ascending(const void *a, const void *b)
@@ -301,6 +320,7 @@ int main(void)
         TEST(cameras_that_make_no_sense_are_refused),
         TEST(pictures_that_do_not_agree_are_refused),
         TEST(height_maps_are_reliefs_about_the_origin),
+        TEST(heights_that_are_no_numbers_are_the_ground),
         TEST(two_views_of_a_room_tell_of_the_same_walls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
