@@ -108,6 +108,8 @@ static GpResult check_head(const char *path, const GpFile *file, uint64_t key, G
  * forged. */
 static bool refers_inside(const Patches *patches)
 {
+    if (patches->patch_count == 0)
+        return false; /* points are in patches, and there is a point at least */
     const int deepest = tree_depth(patches->leaf_count);
     uint64_t surfel = 0, level = 0;
     for (uint32_t i = 0; i < patches->patch_count; i++) {

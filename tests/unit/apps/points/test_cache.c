@@ -166,6 +166,26 @@ static void forged_patches_are_refused(void **state)
     }
 }
 
+/* Leaves without a patch that has them: what draws looks at the first. */
+static void a_forged_cache_without_patches_is_refused(void **state)
+{
+    (void)state;
+    enum { HEAD = 120, SIZE = 24, HASH = 32, COUNTS = 40, MOST = 2048 };
+    char copy[MOST] = { 0 };
+    for (uint64_t size = HEAD; size <= MOST; size++) { /* of one, sections fit */
+        memcpy(copy, written.data, HEAD);
+        memset(copy + HEAD, 0, sizeof copy - HEAD);
+        memset(copy + COUNTS, 0, 3 * sizeof(uint32_t)); /* surfels, patches and levels */
+        memcpy(copy + SIZE, &size, sizeof size);
+        memset(copy + HASH, 0, sizeof(uint64_t));
+        const uint64_t hash =
+            content_hash_bytes(copy + HEAD, size - HEAD, content_hash_bytes(copy, HEAD, 0));
+        memcpy(copy + HASH, &hash, sizeof hash);
+        put(copy, size);
+        assert_refused(KEY, "its parts do not fit together");
+    }
+}
+
 static void every_length_but_the_right_one_is_refused(void **state)
 {
     (void)state;
@@ -211,6 +231,7 @@ int main(void)
         cmocka_unit_test(what_is_written_is_read),
         cmocka_unit_test(every_changed_byte_is_seen),
         cmocka_unit_test(forged_patches_are_refused),
+        cmocka_unit_test(a_forged_cache_without_patches_is_refused),
         cmocka_unit_test(every_length_but_the_right_one_is_refused),
         cmocka_unit_test(a_foreign_cache_is_refused_and_may_be_written_over),
         cmocka_unit_test(keys_tell_inputs_and_settings_apart),
