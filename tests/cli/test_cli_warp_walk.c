@@ -16,6 +16,17 @@ static void a_way_is_a_line_for_each_frame_and_a_sheet(void **state)
     assert_int_equal(shell("glasspipe compare a.png a.png"), 0);
 }
 
+static void flat_and_narrow_pictures_are_drawn(void **state)
+{
+    (void)state;
+    static const char *const sizes[] = { "64x1", "1x64", "1x1" };
+    for (size_t i = 0; i < GP_COUNT(sizes); i++)
+        if (shell("glasspipe warp walk builtin:cube --objects 9 --frames 1 --pixels 24 --map 64 "
+                  "--size %s -q -o a.png",
+                  sizes[i]))
+            fail_msg("%s: %s", sizes[i], err);
+}
+
 static void json_has_all_frames(void **state)
 {
     (void)state;
@@ -46,6 +57,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         PROGRAM_TEST(a_way_is_a_line_for_each_frame_and_a_sheet),
+        PROGRAM_TEST(flat_and_narrow_pictures_are_drawn),
         PROGRAM_TEST(json_has_all_frames),
         PROGRAM_TEST(what_is_wrong_is_refused),
     };

@@ -319,8 +319,8 @@ static Ordered *order_objects(const Walk *walk, const Camera *camera, Frame *fra
 static uint32_t step_of(const DepthSurface *surface, const WarpView *view)
 {
     WarpView smaller = *view;
-    smaller.width = (uint32_t)(view->width * half_as_many);
-    smaller.height = (uint32_t)(view->height * half_as_many);
+    smaller.width = (uint32_t)fmax(view->width * half_as_many, 1);
+    smaller.height = (uint32_t)fmax(view->height * half_as_many, 1);
     return surface_step(surface, &smaller);
 }
 
