@@ -110,8 +110,13 @@ static GpResult sort_voxels(Slabs *slabs, GpError *error)
     if (frame_result(frame, error))
         return GP_ERROR_MEMORY;
     visit_voxels(slabs, count_voxel);
-    for (uint32_t slab = 0; slab < slabs->count; slab++)
-        slabs->begin[slab + 1] += slabs->begin[slab];
+    uint64_t total = 0; /* a voxel may be in hundreds of slabs */
+    for (uint32_t slab = 1; slab <= slabs->count; slab++) {
+        total += slabs->begin[slab];
+        if (total > UINT32_MAX)
+            return gp_fail(error, GP_ERROR_MEMORY, "out of memory: voxels in more than 2^32 slabs");
+        slabs->begin[slab] = (uint32_t)total;
+    }
     slabs->voxels = frame_alloc(frame, slabs->begin[slabs->count], sizeof *slabs->voxels);
     if (frame_result(frame, error))
         return GP_ERROR_MEMORY;
