@@ -74,10 +74,12 @@ static GpResult measure_speed(const PaperTable *table, const PaperRow *row,
         result = technique_time_ms(clock, technique, scene, speed_methods[i], &ms, error);
         measured[i] = result ? 0 : 1000 / ms;
     }
+    if (result)
+        return result;
     measured[TRIANGLES] = model->mesh.triangle_count;
     measured[PIECES] = model->facts->pieces;
     measured[LAYERS] = model->count.layers;
-    return result;
+    return GP_OK;
 }
 
 static const char *const speed_reasons[] = {
@@ -160,9 +162,11 @@ static GpResult measure_depth(const PaperTable *table, const PaperRow *row,
         result = technique_time_ms(clock, technique, scene, methods[i], &ms, error);
         measured[i] = result ? 0 : 1000 / ms;
     }
+    if (result)
+        return result;
     measured[DEEP_TRIANGLES] = model->mesh.triangle_count;
     measured[DEEP_PIECES] = model->facts->pieces;
-    return result;
+    return GP_OK;
 }
 
 static const char *const deep_reasons[] = {
