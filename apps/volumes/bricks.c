@@ -178,8 +178,6 @@ GpResult bricks_runs(const Bricks *bricks, const uint8_t *shown, unsigned way, u
     if (!empty)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     grow_cubes(bricks, shown, 0, way, empty);
-    for (size_t i = 0; i < total; i++)
-        empty[i] = empty[i] > 0 ? empty[i] : 0;
     grow_cubes(bricks, empty, 0, way, runs);
     for (size_t i = 0; i < total; i++)
         runs[i] = empty[i] ? (uint8_t)(BRICKS_FAR + empty[i]) : runs[i];

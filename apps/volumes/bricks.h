@@ -30,8 +30,7 @@ void bricks_show(const Bricks *bricks, const Transfer *transfer, uint8_t *shown)
 /* How far all is alike, for who comes through brick (x, y, z) and goes on along a way: bit i of it,
  * axis i falls. The side of the largest cube of bricks that begins with this one and goes that way,
  * at most BRICKS_FAR, and beyond the volume all is alike: n bricks that show nothing are BRICKS_FAR
- * + n; a number up to BRICKS_FAR is of bricks of which some show something, or one that shows
- * nothing next to one that does, for which no one should stop.
+ * + n; a number up to BRICKS_FAR is of bricks that all show something.
  * in   shown: of bricks_show
  * out  runs: [z][y][x]
  * errors GP_ERROR_MEMORY */
