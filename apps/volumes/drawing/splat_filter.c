@@ -39,7 +39,8 @@ static Extent extent_of_patch(const VoxelEye *eye, const VoxelOrder *order, cons
     return extent;
 }
 
-/* rk / rh, and the thresholds that paper 003 multiplies it with. */
+/* rk / rh, and the thresholds that paper 003 multiplies it with. Along parallel rays a footprint is
+ * everywhere as large as at distance 1, and nowhere wider. */
 static double ratio_of_radii(const VoxelEye *eye)
 {
     return eye->reach * eye->focal / fmax(eye->low_pass, 1e-6);
@@ -47,15 +48,17 @@ static double ratio_of_radii(const VoxelEye *eye)
 
 static double most_distance(const VoxelEye *eye)
 {
-    const double wide = 1 + 2 * eye->half_height;
+    const double wide = eye->parallel ? 1 : 1 + 2 * eye->half_height;
     return ratio_of_radii(eye) * 2 * wide * wide;
 }
 
 static VoxelFilter filter_by_distance(const VoxelEye *eye, const Extent *extent)
 {
-    if (extent->farthest < ratio_of_radii(eye) * 0.3)
+    const double farthest = eye->parallel ? 1 : extent->farthest,
+                 nearest = eye->parallel ? 1 : extent->nearest;
+    if (farthest < ratio_of_radii(eye) * 0.3)
         return VOXEL_RECONSTRUCTION;
-    return extent->nearest > most_distance(eye) ? VOXEL_LOW_PASS : VOXEL_EWA;
+    return nearest > most_distance(eye) ? VOXEL_LOW_PASS : VOXEL_EWA;
 }
 
 static VoxelFilter filter_by_bound(const VoxelEye *eye, const VolumeSplatSetting *setting,
@@ -110,5 +113,6 @@ VoxelSums splat_sums(const VoxelEye *eye, const Field *field, const VolumeSplatS
         const double beside = fmax(fmax(-eye->position[k], eye->position[k] - end), 0);
         square += beside * beside;
     }
-    return sqrt(square) > 0.3 * most_distance(eye) ? VOXEL_HALVES : VOXEL_BYTES;
+    return (eye->parallel ? 1 : sqrt(square)) > 0.3 * most_distance(eye) ? VOXEL_HALVES
+                                                                         : VOXEL_BYTES;
 }

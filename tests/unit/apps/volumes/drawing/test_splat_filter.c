@@ -55,6 +55,34 @@ static void what_is_near_is_reconstructed_and_what_is_far_is_smoothed(void **sta
     }
 }
 
+/* Wherever the eye is, and however much it sees. */
+static void parallel_rays_have_one_filter(void **state)
+{
+    (void)state;
+    static const struct {
+        double focal; /* pixels a unit */
+        VoxelFilter filter;
+        VoxelSums sums;
+    } rows[] = {
+        { 0.6, VOXEL_LOW_PASS, VOXEL_HALVES }, /* rk / rh is 0.45, of which twice is below 1 */
+        { 0.7, VOXEL_EWA, VOXEL_HALVES },
+        { 4.4, VOXEL_EWA, VOXEL_BYTES }, /* 3.3, of which 0.3 is below 1, and 0.6 above it */
+        { 4.5, VOXEL_RECONSTRUCTION, VOXEL_BYTES },
+    };
+    const VolumeSplatSetting setting = { .filter = VOXEL_ADAPTIVE, .sums = VOXEL_BYTES_NEAR };
+    const Field field = { .size = { 9, 9, 9 }, .scale = { 1, 1, 1 } };
+    for (size_t i = 0; i < GP_COUNT(rows); i++)
+        for (double distance = 1e-3; distance < 1e6; distance *= 10) {
+            VoxelEye eye = eye_of(3 + distance);
+            eye.parallel = true;
+            eye.focal = rows[i].focal;
+            eye.position[2] = -distance;
+            assert_int_equal(splat_filter_of_depths(&eye, &setting, distance, distance + 8),
+                             rows[i].filter);
+            assert_int_equal(splat_sums(&eye, &field, &setting), rows[i].sums);
+        }
+}
+
 static void what_a_setting_says_is_taken(void **state)
 {
     (void)state;
@@ -95,6 +123,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_near_is_reconstructed_and_what_is_far_is_smoothed),
+        cmocka_unit_test(parallel_rays_have_one_filter),
         cmocka_unit_test(what_a_setting_says_is_taken),
         cmocka_unit_test(sums_are_halves_from_far_away),
     };
