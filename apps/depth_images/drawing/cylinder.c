@@ -2,6 +2,7 @@
 
 #include "apps/depth_images/drawing/footprint.h"
 #include "apps/depth_images/drawing/light.h"
+#include "apps/depth_images/drawing/plane.h"
 #include "apps/depth_images/drawing/surface_grid.h"
 #include "shaders_c/warp/cylinder.h"
 
@@ -141,21 +142,14 @@ static void place_matrix(const DepthCylinder *cylinder, double matrix[4][4])
     }
 }
 
-static void clip_matrix(const WarpView *view, double clip[4][4])
-{
-    double eye[4][4], projection[4][4];
-    camera_view(&view->camera, eye);
-    camera_projection(&view->camera, (double)view->width / view->height, projection);
-    matrix_multiply(projection, eye, clip);
-}
-
 /* --- drawing ---------------------------------------------------------------------------------- */
 
 static const CylinderStrips *strips_for(const CylinderWarp *made, const CylinderSetting *setting,
                                         const WarpView *view)
 {
     const DepthCylinder *cylinder = &made->image->cylinder;
-    const double radius = hypot(cylinder->radius, cylinder->height / 2);
+    const double half = cylinder->height / 2;
+    const double radius = sqrt(cylinder->radius * cylinder->radius + half * half);
     const uint32_t step =
         setting->step ? setting->step : footprint_step(cylinder->center, radius, made->pixel, view);
     const CylinderStrips *strips = made->strips, *last = strips + made->count - 1;
@@ -175,7 +169,7 @@ static CylinderUniforms uniforms_of(const CylinderWarp *made, const CylinderSett
     };
     double place[4][4], clip[4][4], product[4][4];
     place_matrix(cylinder, place);
-    clip_matrix(view, clip);
+    view_to_clip(view, clip);
     matrix_multiply(clip, place, product);
     matrix_round(place, uniforms.to_world);
     matrix_round(product, uniforms.to_clip);
@@ -244,7 +238,7 @@ static void add_rectangle(const CylinderWarp *made, const WarpView *view,
         corners[i][3] = (float)(i & 1);
         corners[i][4] = (float)(i & 2 ? 0 : 1);
     }
-    clip_matrix(view, clip);
+    view_to_clip(view, clip);
     matrix_round(clip, uniforms.mvp);
     eye_depth = vector_dot(clip[2], view->camera.eye) + clip[2][3];
     uniforms.eye_depth = (float)eye_depth;

@@ -1,5 +1,6 @@
 #include "apps/depth_images/drawing/detail.h"
 
+#include "apps/base/stable_math.h"
 #include "apps/base/vector.h"
 #include "apps/depth_images/drawing/surface_grid.h"
 
@@ -15,7 +16,7 @@ static double level_for(const WarpDetail *detail, const DepthPixels *pixels, uin
         return 0;
     const double across = detail->heights->width * repeats_of(detail, 0) / pixels->width,
                  down = detail->heights->height * repeats_of(detail, 1) / pixels->height;
-    const double level = ceil(log2(fmax(across, down) * step) - 0.25);
+    const double level = ceil(stable_log(fmax(across, down) * step) / stable_log(2) - 0.25);
     return fmin(fmax(level, 0), detail->heights->levels - 1.0);
 }
 

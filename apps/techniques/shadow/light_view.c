@@ -62,7 +62,7 @@ static double distance_of(const GpDraw *draw, uint32_t vertex, double view[4][4]
     return -(vector_dot(view[2], position) + view[2][3]);
 }
 
-/* Distances along the view of the vertices that are before the light. */
+/* Distances along the view of all vertices; of those behind the light they are below 0. */
 static void find_depths(const SceneCasters *casters, double view[4][4], double *nearest,
                         double *farthest)
 {
@@ -102,7 +102,6 @@ LightView light_view(const SceneCasters *casters, int face, bool tight)
 {
     const Scene *scene = casters->scene;
     const SceneLight *light = casters->light;
-    static const double radians_per_degree = 3.14159265358979323846 / 180;
     Camera camera = aim(scene, light, face);
     straighten(&camera);
     double to_eye[4][4], projection[4][4];
@@ -116,7 +115,7 @@ LightView light_view(const SceneCasters *casters, int face, bool tight)
         camera.near = fmin(fmax(nearest * 0.999, camera.far * 1e-3), camera.far * 0.999);
     }
     LightView view = { .parallel = light->directional, .near = camera.near, .far = camera.far };
-    view.width = view.parallel ? camera.height : 2 * tan(camera.fovy / 2 * radians_per_degree);
+    view.width = view.parallel ? camera.height : 2 * camera_axes(&camera, 1).half_height;
     camera_projection(&camera, 1, projection);
     matrix_multiply(projection, to_eye, view.clip);
     return view;
