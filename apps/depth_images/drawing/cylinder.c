@@ -103,18 +103,26 @@ static bool find_plane(const DepthImage *image, const WarpView *view, TouchingPl
     return plane->away > cylinder->radius * (1 + least_beyond);
 }
 
-/* What of the plane the cylinder may be warped to. To the sides its silhouette; heights move
- * towards the eye's, the more the farther away, at most on the far side. */
-static void find_window(const DepthCylinder *cylinder, const WarpView *view, TouchingPlane *plane)
+/* What of the plane the cylinder may be warped to, with a relief on it, which may come to where the
+ * eye is nearly. To the sides its silhouette; heights move towards the eye's, the more the farther
+ * away, at most on the far side, and away from it where they are nearer than the plane. */
+static void find_window(const DepthCylinder *cylinder, const WarpDetail *detail,
+                        const WarpView *view, TouchingPlane *plane)
 {
     const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
-    const double radius = cylinder->radius, half = cylinder->height / 2;
-    const double least = (plane->away - radius) / (plane->away + radius);
+    const double ahead = plane->away - cylinder->radius, half = cylinder->height / 2;
+    const double relief = detail->heights ? fmax(detail->amplitude, 0) : 0;
+    const double radius = cylinder->radius + fmin(relief, 0.75 * ahead);
+    const double least = ahead / (plane->away + radius), most = ahead / (plane->away - radius);
+    const double low = -half - plane->height, high = half - plane->height;
+    const bool stands_out = most > 1;
     double nearest = HUGE_VAL;
-    plane->high[0] = radius * sqrt(least);
+    plane->high[0] = radius * sqrt(least * most);
     plane->low[0] = -plane->high[0];
-    plane->low[1] = fmin(-half, plane->height + (-half - plane->height) * least);
-    plane->high[1] = fmax(half, plane->height + (half - plane->height) * least);
+    plane->low[1] =
+        fmin(stands_out ? plane->height + low * most : -half, plane->height + low * least);
+    plane->high[1] =
+        fmax(stands_out ? plane->height + high * most : half, plane->height + high * least);
     for (int i = 0; i < 4; i++) {
         double corner[3];
         corner_of(cylinder, plane, i, corner);
@@ -267,7 +275,7 @@ static void add_warped(const CylinderWarp *made, const CylinderSetting *setting,
     static const float none[4] = { 0 };
     const CylinderStrips *strips = strips_for(made, setting, view);
     CylinderUniforms uniforms = uniforms_of(made, setting, view);
-    find_window(&made->image->cylinder, view, plane);
+    find_window(&made->image->cylinder, &setting->detail, view, plane);
     set_plane(plane, &uniforms);
     GpSurface *const surfaces[2] = {
         frame_surface(frame, GP_A8R8G8B8, plane->size[0], plane->size[1], 1),
@@ -278,7 +286,8 @@ static void add_warped(const CylinderWarp *made, const CylinderSetting *setting,
     const GpDraw draw =
         draw_of(made, setting, strips,
                 programs[setting->detail.heights != NULL][view->light != NULL], &uniforms, frame);
-    cylinder_strips_draw(strips, &draw, view->camera.eye, plane->place, frame);
+    const double *eye = setting->detail.heights ? NULL : view->camera.eye; /* relief leans */
+    cylinder_strips_draw(strips, &draw, eye, plane->place, frame);
     pass = frame_pass(frame, setting->name ? setting->name : "cylinder", target->color,
                       target->depth, none);
     pass->color[0].clear = pass->depth.clear_depth = false;

@@ -132,8 +132,8 @@ void cylinder_strips_close(CylinderStrips *strips)
 typedef struct Drawing {
     const CylinderStrips *strips;
     const GpDraw *draw;
-    const double *eye;
-    uint32_t eye_row; /* the cell at the eye's height */
+    const double *eye; /* NULL: all may be seen */
+    uint32_t eye_row;  /* the cell at the eye's height */
     Frame *frame;
     uint32_t triangles;
 } Drawing;
@@ -160,7 +160,7 @@ static void seen_rows(const Drawing *drawing, uint32_t strip, uint32_t rows[2])
     rows[1] = 0;
     for (uint32_t i = 0; i < strips->parts; i++) {
         const MergedPatch *patch = &strips->bounds[strip * strips->parts + i];
-        if (!patch->index_count || !merged_may_face(patch, drawing->eye, false))
+        if (!patch->index_count || (drawing->eye && !merged_may_face(patch, drawing->eye, false)))
             continue;
         const uint32_t from = row_of_part(strips, i);
         rows[0] = from < rows[0] ? from : rows[0];

@@ -38,7 +38,7 @@ void cylinder_strips_close(CylinderStrips *strips);
 /* Appends draws like `draw` to the frame's last pass, in order. Parts of strips all of whose
  * triangles turn away from the eye are left out, which shows nothing else where insides are not
  * drawn.
- * in   eye: world; place: where the image has it, as depth_cylinder_place
+ * in   eye: world; NULL: none are left out; place: where the image has it, as depth_cylinder_place
  * returns triangles that are drawn */
 uint32_t cylinder_strips_draw(const CylinderStrips *strips, const GpDraw *draw, const double eye[3],
                               const double place[2], Frame *frame);

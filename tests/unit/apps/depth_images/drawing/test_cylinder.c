@@ -178,11 +178,10 @@ static void what_has_no_plane_is_drawn_straight_and_said(void **state)
     depth_shape_close(&shape);
 }
 
-/* Relief of one height all over is the image with depths that are so much less; of waves, it is
+/* Relief of one height all over is the image on a cylinder that is so much wider; of waves, it is
  * not. */
-static void relief_moves_points_outwards(void **state)
+static void relief_moves_points(double outwards)
 {
-    (void)state;
     static float rgba[3][AROUND_SIDE * AROUND_SIDE][4];
     DepthShape shape = depth_shape_vase();
     Warps warps[2];
@@ -191,8 +190,7 @@ static void relief_moves_points_outwards(void **state)
     assert_int_equal(gp_surface_create(&desc, &heights, NULL), GP_OK);
     open_warps(&shape, 0, &warps[0]);
     warps[1].model = depth_shape_capture(&shape, 2 * IMAGE, IMAGE, 0, true);
-    for (uint32_t i = 0; i < 2 * IMAGE * IMAGE; i++)
-        warps[1].model.images[0].front.depth[i] -= 0.0625f;
+    warps[1].model.images[0].cylinder.radius += outwards;
     assert_int_equal(cylinder_open(&warps[1].model.images[0], &warps[1].made[0], NULL), GP_OK);
     for (int inside = 0; inside < 2; inside++) {
         const Camera camera = around_camera(&shape, 30, inside ? 90 : 8, 4);
@@ -202,7 +200,8 @@ static void relief_moves_points_outwards(void **state)
             const WarpTarget target = around_target(&frame, GP_A8R8G8B8);
             CylinderSetting setting = { .step = 1 };
             if (i != 1)
-                setting.detail = (WarpDetail){ heights, i ? 0.25 : 0.0625, { 6, 5 }, false };
+                setting.detail =
+                    (WarpDetail){ heights, i ? 4 * outwards : outwards, { 6, 5 }, false };
             gp_surface_clear_color(heights, (float[4]){ 1, 1, 1, 1 });
             for (uint32_t k = 0; k < 8 && i == 2; k++)
                 memset(gp_surface_texel(&heights->level[0], 4, k, k), 0, 4);
@@ -226,6 +225,13 @@ static void relief_moves_points_outwards(void **state)
     close_warps(&warps[0]);
     close_warps(&warps[1]);
     depth_shape_close(&shape);
+}
+
+static void relief_moves_points_outwards(void **state)
+{
+    (void)state;
+    relief_moves_points(0.0625);
+    relief_moves_points(0.25);
 }
 
 static void no_eye_makes_a_nan(void **state)
