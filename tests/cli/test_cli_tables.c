@@ -110,6 +110,22 @@ static void why_ranks_are_others_than_printed_stands_below_a_table(void **state)
     assert_null(strstr(out, reason + 1));
 }
 
+/* What is left of a point is told as it is laid out: the parts, and the area's share, are all. */
+static void table_3_1_has_the_bits_of_the_layout(void **state)
+{
+    (void)state;
+    static const double after[] = { 32, 18, 0, 0, 7, 64 };
+    assert_int_equal(run("bench -q --json -t 0 --table 3.1"), 0);
+    const char *at = out;
+    for (size_t i = 0; i < GP_COUNT(after); i++) {
+        json_t *row = next_line(&at);
+        assert_non_null(row);
+        assert_true(number(row, "after", "measured") == after[i]);
+        json_decref(row);
+    }
+    assert_null(next_line(&at));
+}
+
 static void table_2_2_has_a_row_for_each_size(void **state)
 {
     (void)state;
@@ -179,6 +195,7 @@ int main(void)
         PROGRAM_TEST(rows_without_a_file_are_left_out),
         PROGRAM_TEST(table_2_1_has_the_steps_beside_the_print),
         PROGRAM_TEST(table_2_2_has_a_row_for_each_size),
+        PROGRAM_TEST(table_3_1_has_the_bits_of_the_layout),
         PROGRAM_TEST(why_ranks_are_others_than_printed_stands_below_a_table),
         PROGRAM_TEST(scaling_is_charted_for_the_meshes_that_are_there),
     };
