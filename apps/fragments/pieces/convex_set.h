@@ -12,7 +12,7 @@
 typedef struct ConvexMesh {
     const float (*positions)[3];
     const uint32_t *indices;
-    const Links *links;
+    const FaceLinks *links;
     double extent;    /* the largest coordinate's absolute value */
     double tolerance; /* distance by which a corner may be in front of a plane; 0: exactly none */
 } ConvexMesh;

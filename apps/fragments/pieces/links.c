@@ -26,7 +26,7 @@ static uint32_t next_corner(uint32_t corner)
 }
 
 /* Edges of one pair of places, [0, count). */
-static void link_edges(const Edge *edges, uint32_t count, Links *links)
+static void link_edges(const Edge *edges, uint32_t count, FaceLinks *links)
 {
     if (count == 1)
         links->boundary_edges++;
@@ -44,7 +44,7 @@ static bool has_three_corners(const uint32_t corner[3])
     return corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0];
 }
 
-static GpResult find_across(Links *links)
+static GpResult find_across(FaceLinks *links)
 {
     Edge *edges = gp_alloc(3 * (size_t)links->face_count, sizeof *edges);
     uint32_t count = 0;
@@ -68,7 +68,7 @@ static GpResult find_across(Links *links)
     return GP_OK;
 }
 
-static void find_faces(Links *links)
+static void find_faces(FaceLinks *links)
 {
     uint32_t *next =
         links->first + 1; /* counts, then where a place's next face goes, then its end */
@@ -81,15 +81,15 @@ static void find_faces(Links *links)
 }
 
 GpResult links_make(const float (*positions)[3], uint32_t vertex_count, const uint32_t *indices,
-                    uint32_t face_count, Links *links, GpError *error)
+                    uint32_t face_count, FaceLinks *links, GpError *error)
 {
     const size_t corners = 3 * (size_t)face_count;
     uint32_t *place_of = gp_alloc(vertex_count, sizeof *place_of);
-    Links made = { .face_count = face_count,
-                   .places = gp_alloc(corners, sizeof(uint32_t)),
-                   .across = gp_alloc(corners, sizeof(uint32_t)),
-                   .faces = gp_alloc(corners, sizeof(uint32_t)),
-                   .first = gp_alloc((size_t)vertex_count + 2, sizeof(uint32_t)) };
+    FaceLinks made = { .face_count = face_count,
+                       .places = gp_alloc(corners, sizeof(uint32_t)),
+                       .across = gp_alloc(corners, sizeof(uint32_t)),
+                       .faces = gp_alloc(corners, sizeof(uint32_t)),
+                       .first = gp_alloc((size_t)vertex_count + 2, sizeof(uint32_t)) };
     bool done = place_of && made.places && made.across && made.faces && made.first &&
                 !mesh_places(&positions[0][0], vertex_count, place_of);
     for (size_t i = 0; i < corners && done; i++) {
@@ -108,11 +108,11 @@ GpResult links_make(const float (*positions)[3], uint32_t vertex_count, const ui
     return GP_OK;
 }
 
-void links_free(Links *links)
+void links_free(FaceLinks *links)
 {
     gp_free(links->places);
     gp_free(links->across);
     gp_free(links->faces);
     gp_free(links->first);
-    *links = (Links){ .face_count = 0 };
+    *links = (FaceLinks){ .face_count = 0 };
 }

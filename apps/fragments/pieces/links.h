@@ -12,7 +12,7 @@
 enum { NO_FACE = UINT32_MAX };
 
 /* Owns all; a zeroed one is empty. */
-typedef struct Links {
+typedef struct FaceLinks {
     uint32_t face_count, place_count;
     uint32_t *places; /* [3 * face_count] of the corners */
     uint32_t *across; /* [3 * face_count] face across the edge from corner c to c + 1, or NO_FACE */
@@ -21,12 +21,12 @@ typedef struct Links {
     uint32_t boundary_edges;     /* of one face */
     uint32_t non_manifold_edges; /* of three or more */
     uint32_t turned_edges;       /* of two that run along it the same way */
-} Links;
+} FaceLinks;
 
 /* in     indices: [3 * face_count], all < vertex_count
  * errors GP_ERROR_MEMORY */
 GpResult links_make(const float (*positions)[3], uint32_t vertex_count, const uint32_t *indices,
-                    uint32_t face_count, Links *links, GpError *error);
-void links_free(Links *links);
+                    uint32_t face_count, FaceLinks *links, GpError *error);
+void links_free(FaceLinks *links);
 
 #endif

@@ -13,7 +13,7 @@ enum { FREE = UINT32_MAX };
 /* A mesh on its way to pieces. */
 typedef struct Work {
     ConvexMesh mesh;
-    Links links;
+    FaceLinks links;
     ConvexSet *set;
     uint32_t *tried; /* by face: the last growth that asked for it */
     uint32_t growth;
@@ -104,7 +104,7 @@ static bool may_join(const Pieces *pieces, uint32_t piece, bool inward)
  * in/out of: [count] the piece that each is part of now */
 static void join_neighbours(Work *work, uint32_t piece, uint32_t *of, uint32_t *asked)
 {
-    const Links *links = &work->links;
+    const FaceLinks *links = &work->links;
     const Pieces *pieces = &work->pieces;
     convex_set_begin(work->set, pieces->inward[piece]);
     if (!add_piece(work, piece))
