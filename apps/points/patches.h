@@ -14,8 +14,9 @@
  * At most a third more surfels than leaves are kept.
  *
  * A parent's position, normal and colour are the means of its leaves', by their area; its radius is
- * that of a ball that holds the discs of all its leaves, so its disc covers theirs and no hole
- * opens; its share makes its area that of its leaves together, as seen along its normal.
+ * that of a ball that holds the discs of all its leaves, so that its disc covers theirs, but where
+ * they are so far apart that less of it would be theirs than a share can tell (summary.c); its share
+ * makes its area that of its leaves together, as seen along its normal.
  *
  * source Dong Zhao's thesis, 3.2.2: "linear binary tree"; the ranges and the depths left out: ours
  */

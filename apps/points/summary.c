@@ -177,10 +177,10 @@ Surfel surfel_parent(const Surfel *leaves, uint32_t count)
         const double reach = sqrt(vector_dot(from, from)) + (double)leaves[i].radius;
         radius = reach > radius ? reach : radius;
     }
-    /* Surfels on top of each other: a disc that has room for their areas. */
     /* what is bent, or has two sides, shows less than its area to those whom the disc faces */
     sum.area = fmax(flat, sum.area / 4);
     const double full = sqrt(sum.area / surfel_area(&(Surfel){ .radius = 1, .share = 255 }));
+    /* surfels on top of each other: a disc that has room for their areas */
     radius = fmin(fmax(radius, full), full / LEAST_SHARE);
     parent.radius = round_up(radius);
     parent.share = surfel_share(sum.area, (double)parent.radius);

@@ -134,8 +134,7 @@ static uint8_t lesser(uint8_t a, uint8_t b)
 
 /* A row of cubes from the three rows ahead: one more than the least of the seven that begin at the
  * next bricks; 0 where the brick itself is not of the kind. The mathematics of the largest square
- * of an image
- * in one scan, as everyone knows it, in three dimensions. */
+ * of an image in one scan, as everyone knows it, in three dimensions. */
 static void grow_row(uint8_t *cube, const uint8_t *is, uint8_t kind, const uint8_t *const ahead[3],
                      uint32_t count, bool falls)
 {

@@ -138,8 +138,8 @@ static SplatMethod choose_filter(const Chooser *chooser, const PatchRange *range
 #define HIDERS_EDGE_REACH 0.5
 
 /* What leaves the visibility of a range: the coarsest whole level above it whose discs are not much
- * wider. A parent's disc covers those of its children, so nothing behind them shows; at the edges
- * of the surface it hides a little more. */
+ * wider. A parent's disc covers those of its children, but where these are far apart, so nothing
+ * behind them shows; at the edges of the surface it hides a little more. */
 static SplatRun hider_of(const Chooser *chooser, const PatchRange *range, SplatRun own)
 {
     const Patches *patches = chooser->patches;

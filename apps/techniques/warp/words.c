@@ -34,11 +34,11 @@ const TechniqueWord warp_words[] = {
     { "as a surface",
       "Another grid of the front, of as few triangles as stand for it within a quarter of a pixel, "
       "for cylinders too." },
+    { "cylinder, as a surface",
+      "The same of a depth image on a cylinder around the model, with two caps." },
     { "depth mesh",
       "A triangle for every three pixels side by side, cut at steps of 2 %, in the world." },
     { "depth mesh, simplified", "The same with a tenth of the triangles, by quadrics." },
-    { "cylinder, as a surface",
-      "The same of a depth image on a cylinder around the model, with two caps." },
     { "cylinder, as printed",
       "A depth image on a cylinder, moved within the plane that touches the cylinder before the "
       "eye, without a depth test, in an order in which what is nearer comes later." },

@@ -329,7 +329,7 @@ static void draw_planes(Planes *planes, const VolumeView *view, uint32_t cull)
         put_over(planes);
 }
 
-/* The axis nearest to the view's, of those that have more than one sample. */
+/* The axis nearest to the view's. */
 static int axis_of(const CameraAxes *axes)
 {
     int axis = 0;

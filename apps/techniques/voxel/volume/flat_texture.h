@@ -10,7 +10,7 @@
 typedef struct FlatTexture {
     GpSurface *texels;       /* A8R8G8B8; belongs to the frame it was made for */
     uint32_t size;           /* voxels a side */
-    uint32_t bits;           /* a voxel: 1, 8 or 16 */
+    uint32_t bits;           /* a voxel: 1, 8 or 16; slopes of a scan have 32 */
     uint32_t per_texel;      /* 32 / bits */
     uint32_t slabs, columns; /* patches in all, and in a row */
 } FlatTexture;
