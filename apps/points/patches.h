@@ -15,8 +15,8 @@
  *
  * A parent's position, normal and colour are the means of its leaves', by their area; its radius is
  * that of a ball that holds the discs of all its leaves, so that its disc covers theirs, but where
- * they are so far apart that less of it would be theirs than a share can tell (summary.c); its share
- * makes its area that of its leaves together, as seen along its normal.
+ * they are so far apart that less of it would be theirs than a share can tell (summary.c); its
+ * share makes its area that of its leaves together, as seen along its normal.
  *
  * source Dong Zhao's thesis, 3.2.2: "linear binary tree"; the ranges and the depths left out: ours
  */

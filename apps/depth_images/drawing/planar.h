@@ -5,8 +5,8 @@
  * The plane stands at the nearest depth. An eye that is on it, or beyond, moves it to the middle of
  * what is in front of the eye; what is not is left out.
  * DEVIATES: the picture is not the image's own rectangle but that to which anything visible is
- *        warped; and the second target holds no Zt but what follows from it, which is linear within a
- *        triangle.
+ *        warped; and the second target holds no Zt but what follows from it, which is linear
+ *        within a triangle.
  * source Liu, Liu, Wu, Journal of Software 18(6), 2007, section 2 */
 #ifndef APPS_DEPTH_IMAGES_DRAWING_PLANAR_H
 #define APPS_DEPTH_IMAGES_DRAWING_PLANAR_H

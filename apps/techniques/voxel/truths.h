@@ -47,7 +47,7 @@ typedef struct VoxelTruths {
 /* A mesh's triangles in a volume. NULL without memory; the caller frees them. */
 TruthTriangle *voxel_true_triangles(const VoxelScene *scene, const VoxelBox *space);
 
-/* The truth of a kind in a volume that lies so: kept, or found now. NULL without memory. Valid until
+/* The truth of a kind in a volume that lies so: kept, or found now; NULL without memory. Good until
  * the next is found. */
 const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene,
                                     VoxelTruthKind kind, const VoxelBox *space);
