@@ -7,21 +7,6 @@ static const int place[3][3] = { { 0, 5, 4 }, { 5, 1, 3 }, { 4, 3, 2 } };
 
 /* --- moments ---------------------------------------------------------------------------------- */
 
-void moments_join(Moments *moments, const Moments *other)
-{
-    moments->count += other->count;
-    for (int i = 0; i < 3; i++)
-        moments->sum[i] += other->sum[i];
-    for (int i = 0; i < 6; i++)
-        moments->square.m[i] += other->square.m[i];
-}
-
-void moments_mean(const Moments *moments, double mean[3])
-{
-    for (int i = 0; i < 3; i++)
-        mean[i] = moments->origin[i] + moments->sum[i] / moments->count;
-}
-
 Symmetric moments_covariance(const Moments *moments)
 {
     Symmetric covariance;

@@ -32,11 +32,7 @@ static inline void moments_add(Moments *moments, const float point[3])
     moments->square.m[5] += d[0] * d[1];
 }
 
-/* Adds those of other points, of the same origin. */
-void moments_join(Moments *moments, const Moments *other);
-
 /* Of at least one point. */
-void moments_mean(const Moments *moments, double mean[3]);
 Symmetric moments_covariance(const Moments *moments);
 
 /* A direction of about the largest spread, unit length; x where there is none. Much quicker than

@@ -7,7 +7,8 @@ static void find_direction(const double towards[4], const double place[3], doubl
     vector_normalize(direction);
 }
 
-void truth_shade(const TruthLight *light, const double place[3], double normal[3], double color[3])
+/* A colour, lit, at most 1. in/out color; normal: of any length but 0; comes back facing the eye */
+static void shade(const TruthLight *light, const double place[3], double normal[3], double color[3])
 {
     double towards[3], source[3], half[3];
     vector_normalize(normal);
@@ -56,5 +57,5 @@ void mesh_paint_color(const void *context, uint32_t triangle, const double share
     if (!paint->light)
         return;
     mix(paint->normals, 3, corner, share, normal);
-    truth_shade(paint->light, place, normal, color);
+    shade(paint->light, place, normal, color);
 }

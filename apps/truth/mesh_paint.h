@@ -30,9 +30,6 @@ typedef struct MeshPaint {
     const TruthLight *light; /* on both sides of the mesh; NULL: colours as they are */
 } MeshPaint;
 
-/* A colour, lit, at most 1. in/out color; normal: of any length but 0; comes back facing the eye */
-void truth_shade(const TruthLight *light, const double place[3], double normal[3], double color[3]);
-
 TruthColor mesh_paint_color; /* context: a MeshPaint */
 
 #endif

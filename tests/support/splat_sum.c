@@ -1,4 +1,4 @@
-#include "apps/truth/splat_sum.h"
+#include "tests/support/splat_sum.h"
 
 #include <math.h>
 

@@ -8,8 +8,8 @@
  * source Zwicker, Pfister, van Baar and Gross, "Surface splatting", SIGGRAPH 2001, eq. 6 (exact)
  *        and 10 (affine); the Jacobian with tangents as printed there
  */
-#ifndef APPS_TRUTH_SPLAT_SUM_H
-#define APPS_TRUTH_SPLAT_SUM_H
+#ifndef TESTS_SPLAT_SUM_H
+#define TESTS_SPLAT_SUM_H
 
 #include "apps/base/camera.h"
 #include "pipeline/base/pool.h"

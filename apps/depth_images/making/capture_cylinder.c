@@ -5,7 +5,10 @@
 
 #include <string.h>
 
-DepthCylinder capture_cylinder_about(const CaptureSource *source, OrbitUp up)
+/* The cylinder about a mesh, round the middle of its box along the axis that points up, a hundredth
+ * larger than what it holds; azimuth 0 is in front. Thin ones are thick enough to be looked at:
+ * neither side is below a thousandth of the other. */
+static DepthCylinder cylinder_about(const CaptureSource *source, OrbitUp up)
 {
     const GpMesh *mesh = source->mesh;
     const Bounds box = capture_bounds(source);
@@ -262,7 +265,7 @@ GpResult capture_cylinder(GpDevice *device, const CaptureSource *source, const C
 {
     CaptureTurn whole = *turn;
     if (!(whole.cylinder.radius > 0))
-        whole.cylinder = capture_cylinder_about(source, whole.up);
+        whole.cylinder = cylinder_about(source, whole.up);
     whole.cap = whole.cap ? whole.cap : whole.width / 2 ? whole.width / 2 : 1;
     DepthModel made = { 0 };
     GpResult result = capture_wall(device, source, &whole, &made.images[0], error);

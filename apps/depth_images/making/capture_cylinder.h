@@ -24,7 +24,7 @@ typedef enum CaptureRays {
 
 /* Zero is a default, but for the size. */
 typedef struct CaptureTurn {
-    DepthCylinder cylinder; /* radius 0: capture_cylinder_about */
+    DepthCylinder cylinder; /* radius 0: the one about the mesh */
     OrbitUp up;             /* its axis, of that */
     CaptureRays rays;
     uint32_t width, height; /* of the cylinder's image, 1 to GP_MAX_SIZE */
@@ -35,11 +35,6 @@ typedef struct CaptureTurn {
     void (*tell)(const void *listener, uint32_t done, uint32_t all, const char *what);
     const void *listener;
 } CaptureTurn;
-
-/* The cylinder about a mesh, round the middle of its box along the axis that points up, a hundredth
- * larger than what it holds; azimuth 0 is in front. Thin ones are thick enough to be looked at:
- * neither side is below a thousandth of the other. */
-DepthCylinder capture_cylinder_about(const CaptureSource *source, OrbitUp up);
 
 /* Captures a cylinder, then the caps: parallel, from above with `zero` to the right, from below
  * with axis x zero there. A ray of the cylinder ends at its axis: what is beyond belongs to the

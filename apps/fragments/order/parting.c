@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool parting_boxes_apart(const PieceSpan *one, const PieceSpan *other)
+/* Whether the boxes of two pieces are apart along an axis. */
+static bool boxes_apart(const PieceSpan *one, const PieceSpan *other)
 {
     for (int k = 0; k < 3; k++) /* the first axes of spans are x, y, z */
         if (one->high[k] <= other->low[k] || other->high[k] <= one->low[k])
@@ -80,7 +81,7 @@ static bool part_pair(Work *work, uint32_t a, uint32_t b)
 {
     Parting parting;
     Slab slab;
-    if (parting_boxes_apart(&work->two.mesh->spans[a], &work->two.mesh->spans[b]))
+    if (boxes_apart(&work->two.mesh->spans[a], &work->two.mesh->spans[b]))
         return true;
     part_two(&work->two, a < b ? a : b, a < b ? b : a, &parting, &slab);
     if (parting.kind == PARTING_SLAB && leave_to_slab(work, &parting, &slab) > 0)

@@ -51,7 +51,4 @@ GpResult partings_unpack(const PiecesBlock *block, const Pieces *pieces, Parting
 /* That of two pieces; NULL: their boxes are apart. */
 const Parting *parting_of(const Partings *partings, uint32_t one, uint32_t other);
 
-/* Whether the boxes of two pieces are apart along an axis. */
-bool parting_boxes_apart(const PieceSpan *one, const PieceSpan *other);
-
 #endif

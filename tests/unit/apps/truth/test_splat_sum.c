@@ -1,5 +1,5 @@
 /* The sum over all splats against mathematics. */
-#include "apps/truth/splat_sum.h"
+#include "tests/support/splat_sum.h"
 #include "tests/support/groups/pool.h"
 #include "tests/support/unit.h"
 

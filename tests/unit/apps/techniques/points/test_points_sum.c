@@ -4,7 +4,7 @@
 
 #include "apps/points/surfels.h"
 #include "apps/techniques/points/model.h"
-#include "apps/truth/splat_sum.h"
+#include "tests/support/splat_sum.h"
 #include "tests/support/unit.h"
 
 enum { SIDE = 64 };
