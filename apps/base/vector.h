@@ -11,6 +11,12 @@ static inline void vector_set(double out[3], double x, double y, double z)
     out[2] = z;
 }
 
+static inline void vector_widen(const float from[3], double to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = (double)from[i];
+}
+
 static inline double vector_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

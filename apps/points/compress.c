@@ -20,12 +20,6 @@ typedef struct Job {
     AngleBorders borders; /* printed form */
 } Job;
 
-static void widen(const float from[3], double to[3])
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = (double)from[i];
-}
-
 static uint32_t round_code(double value, uint32_t most)
 {
     return !(value > 0) ? 0 : value >= most ? most : (uint32_t)(value + 0.5);
@@ -70,11 +64,11 @@ static void span_values(const Surfel *surfels, uint32_t count, uint32_t share_co
 static void frame_ours(const PatchBox *box, CompressedFrame *frame)
 {
     double origin[3];
-    widen(box->centre, origin);
+    vector_widen(box->centre, origin);
     for (int i = 0; i < 3; i++) {
         const double half = (double)box->half[i];
         double axis[3];
-        widen(box->axes[i], axis);
+        vector_widen(box->axes[i], axis);
         vector_add_scaled(origin, -half, axis, origin);
         for (int k = 0; k < 3; k++)
             frame->steps[i][k] = (float)(2 * half / (i < 2 ? ACROSS : THICK) * axis[k]);
@@ -88,15 +82,15 @@ static void words_ours(const PatchBox *box, const CompressedFrame *frame, const 
 {
     double centre[3], from[3], normal[3];
     uint32_t place[3], direction[2];
-    widen(box->centre, centre);
-    widen(surfel->position, from);
-    widen(surfel->normal, normal);
+    vector_widen(box->centre, centre);
+    vector_widen(surfel->position, from);
+    vector_widen(surfel->normal, normal);
     vector_subtract(from, centre, from);
     for (int i = 0; i < 3; i++) {
         const uint32_t most = i < 2 ? ACROSS : THICK;
         const double half = (double)box->half[i];
         double axis[3];
-        widen(box->axes[i], axis);
+        vector_widen(box->axes[i], axis);
         place[i] = code_of(vector_dot(axis, from), -half, 2 * half / most, most);
     }
     normal_encode(normal, direction);
@@ -144,7 +138,7 @@ static void frame_printed(const Surfel *surfels, uint32_t count, CompressedFrame
     Bounds box = bounds_of_nothing;
     for (uint32_t i = 0; i < count; i++) {
         double at[3];
-        widen(surfels[i].position, at);
+        vector_widen(surfels[i].position, at);
         bounds_add(&box, at);
     }
     for (int i = 0; i < 3; i++) {
@@ -175,7 +169,7 @@ static void words_printed(const Job *job, const CompressedFrame *frame, const Su
     bytes[1] = (uint8_t)(cell[1] >> 3);
     bytes[2] = (uint8_t)(cell[2] >> 2);
     bytes[3] = (uint8_t)((cell[0] & 7) | (cell[1] & 7) << 3 | (cell[2] & 3) << 6);
-    widen(surfel->normal, normal);
+    vector_widen(surfel->normal, normal);
     angles_encode(&job->borders, normal, bytes + 4);
     angles_decode(bytes + 4, decoded);
     for (int i = 0; i < 3; i++)

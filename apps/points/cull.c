@@ -3,12 +3,6 @@
 /* Cosines' slack: roundings, and the angle by which packed normals (compress.h) may be off. */
 #define PACKED_NORMALS 0.02
 
-static void widen(const float from[3], double to[3])
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = (double)from[i];
-}
-
 PointView point_view(const Camera *camera, uint32_t width, uint32_t height, double reach,
                      double margin)
 {
@@ -42,7 +36,7 @@ static double half_along(const PatchBox *box, const double direction[3])
     double half = 0;
     for (int i = 0; i < 3; i++) {
         double axis[3];
-        widen(box->axes[i], axis);
+        vector_widen(box->axes[i], axis);
         half += (double)box->half[i] * fabs(vector_dot(axis, direction));
     }
     return half;
@@ -51,7 +45,7 @@ static double half_along(const PatchBox *box, const double direction[3])
 BoxPlace box_place(const PointView *view, const PatchBox *box)
 {
     double centre[3], from[3];
-    widen(box->centre, centre);
+    vector_widen(box->centre, centre);
     vector_subtract(centre, view->eye, from);
     const double depth = vector_dot(view->axes.forward, from);
     const double half = half_along(box, view->axes.forward);
@@ -80,9 +74,9 @@ static double cosine_of(double cosine, double sine, double widen_cosine, double 
 EyeWay eye_way(const PointView *view, const PatchBox *box, const float axis[3])
 {
     double way[3], about[3], centre[3], half[3], spread = 0;
-    widen(axis, about);
-    widen(box->centre, centre);
-    widen(box->half, half);
+    vector_widen(axis, about);
+    vector_widen(box->centre, centre);
+    vector_widen(box->half, half);
     vector_subtract(view->eye, centre, way);
     if (view->is_parallel) {
         vector_set(way, -view->axes.forward[0], -view->axes.forward[1], -view->axes.forward[2]);

@@ -4,12 +4,6 @@
 
 #include <float.h>
 
-static void widen(const float from[3], double to[3])
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = (double)from[i];
-}
-
 /* Rounds, and gives what was rounded to. Not inlined: gcc 12 at -O2 turns pairs of doubles into
  * floats and back into the doubles that they were, which is another number. */
 __attribute__((noinline)) static void round_to_float(double values[3], float rounded[3])
@@ -36,7 +30,7 @@ SurfelSummary surfels_summary(const Surfel *surfels, const uint32_t *order, uint
         const Surfel *surfel = &surfels[order[i]];
         const double area = surfel_area(surfel);
         double normal[3];
-        widen(surfel->normal, normal);
+        vector_widen(surfel->normal, normal);
         moments_add(&summary.moments, surfel->position);
         vector_add_scaled(summary.normal_sum, area, normal, summary.normal_sum);
         summary.area += area;
@@ -55,10 +49,10 @@ void surfels_cone(const Surfel *surfels, uint32_t count, const float axis[3], fl
                   float *sine)
 {
     double middle[3], least = 1;
-    widen(axis, middle);
+    vector_widen(axis, middle);
     for (uint32_t i = 0; i < count; i++) {
         double normal[3];
-        widen(surfels[i].normal, normal);
+        vector_widen(surfels[i].normal, normal);
         const double c = vector_dot(middle, normal);
         least = c < least ? c : least;
     }
@@ -97,14 +91,14 @@ void summary_axes(const SurfelSummary *summary, float axes[3][3], float *curvatu
 void box_around(const Surfel *surfels, uint32_t count, PatchBox *box)
 {
     double low[3], high[3], axes[3][3], origin[3], centre[3];
-    widen(surfels->position, origin);
+    vector_widen(surfels->position, origin);
     for (int i = 0; i < 3; i++) {
-        widen(box->axes[i], axes[i]);
+        vector_widen(box->axes[i], axes[i]);
         low[i] = high[i] = 0;
     }
     for (uint32_t k = 0; k < count; k++) {
         double from[3];
-        widen(surfels[k].position, from);
+        vector_widen(surfels[k].position, from);
         vector_subtract(from, origin, from);
         for (int i = 0; i < 3; i++) {
             const double along = vector_dot(axes[i], from);
@@ -136,7 +130,7 @@ static Mixture mix(const Surfel *leaves, uint32_t count)
 {
     Mixture sum = { .area = 0 };
     double origin[3];
-    widen(leaves->position, origin);
+    vector_widen(leaves->position, origin);
     for (uint32_t i = 0; i < count; i++) {
         const Surfel *leaf = &leaves[i];
         const double area = surfel_area(leaf);
@@ -172,7 +166,7 @@ Surfel surfel_parent(const Surfel *leaves, uint32_t count)
     round_to_float(sum.position, parent.position);
     for (uint32_t i = 0; i < count; i++) {
         double from[3];
-        widen(leaves[i].position, from);
+        vector_widen(leaves[i].position, from);
         vector_subtract(from, sum.position, from);
         const double reach = sqrt(vector_dot(from, from)) + (double)leaves[i].radius;
         radius = reach > radius ? reach : radius;

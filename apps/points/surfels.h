@@ -69,6 +69,9 @@ static inline Bounds surfels_bounds(const Surfels *surfels)
     return bounds_of(surfels->surfels->position, sizeof(Surfel), NULL, surfels->count);
 }
 
+/* Of at least one. */
+float surfels_mean_radius(const Surfels *surfels);
+
 /* errors GP_ERROR_MEMORY; owns: the caller, until surfels_free */
 GpResult surfels_alloc(Surfels *surfels, uint32_t count);
 

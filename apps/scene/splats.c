@@ -2,6 +2,7 @@
 
 #include "apps/base/machine.h"
 #include "apps/points/drawing/choose.h"
+#include "apps/points/vertices.h"
 #include "apps/scene/materials.h"
 #include "apps/scene/model.h"
 #include "apps/scene/placing.h"
@@ -86,11 +87,6 @@ static Surfels read_surfels(Node *object, GpPool *pool)
     return surfels;
 }
 
-static uint8_t color_byte_of(float value)
-{
-    return (uint8_t)(value >= 1 ? 255 : value > 0 ? value * 255 + 0.5f : 0);
-}
-
 static void place(Node *object, Surfels *surfels)
 {
     Surfel *first = surfels->surfels;
@@ -110,23 +106,15 @@ static void place(Node *object, Surfels *surfels)
             continue;
         scene_color_at(&color, first[i].position, first[i].normal, rgba);
         for (int k = 0; k < 3; k++)
-            first[i].color[k] = color_byte_of(rgba[k]);
+            first[i].color[k] = color_byte(rgba[k]);
     }
 }
 
 /* --- what is drawn of them -------------------------------------------------------------------- */
 
-static float mean_radius(const Surfels *surfels)
-{
-    double sum = 0;
-    for (uint32_t i = 0; i < surfels->count; i++)
-        sum += (double)surfels->surfels[i].radius;
-    return (float)(sum / surfels->count);
-}
-
 static SplatSource all_of(const Surfels *surfels, SplatMethod method, Frame *frame)
 {
-    const SplatRun all = { method, 0, surfels->count, mean_radius(surfels), 0, false };
+    const SplatRun all = { method, 0, surfels->count, surfels_mean_radius(surfels), 0, false };
     return (SplatSource){ .surfels = surfels->surfels,
                           .runs = frame_copy(frame, &all, sizeof all),
                           .run_count = 1 };

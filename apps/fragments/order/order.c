@@ -198,11 +198,9 @@ GpResult order_make_room(Order *order, size_t faces)
 {
     order->first = gp_alloc((size_t)order->level_count + 2, sizeof *order->first);
     order->knot_first = gp_alloc((size_t)order->level_count + 2, sizeof *order->knot_first);
-    order->knot_most = gp_alloc((size_t)order->level_count + 1, sizeof *order->knot_most);
     order->faces = gp_alloc(faces, sizeof *order->faces);
     order->knots = gp_alloc(faces, sizeof *order->knots);
-    const bool has_room =
-        order->first && order->knot_first && order->knot_most && order->faces && order->knots;
+    const bool has_room = order->first && order->knot_first && order->faces && order->knots;
     return has_room ? GP_OK : GP_ERROR_MEMORY;
 }
 
@@ -218,11 +216,7 @@ static GpResult make_levels(Work *work, const Kind *kinds)
     list_levels(work, kinds, false, order->first, order->faces);
     list_levels(work, kinds, true, order->knot_first, order->knots);
     for (uint32_t c = 0; c < work->components; c++)
-        if (kinds[c].faces > 1) {
-            uint32_t *most = &order->knot_most[work->start[c] / 2];
-            *most = kinds[c].faces > *most ? kinds[c].faces : *most;
-            order->knot_count++;
-        }
+        order->knot_count += kinds[c].faces > 1;
     return GP_OK;
 }
 
@@ -268,7 +262,6 @@ static void prepare(Work *work)
             work->has_gates[relations->pieces.pair[i][k]] = true;
     for (uint32_t p = 0; p < work->pieces->count; p++)
         work->has_gates[p] |= order_is_large(work->pieces, p);
-    work->order.relations = relations->faces.count;
 }
 
 static GpResult sort_all(Work *work)
@@ -313,6 +306,5 @@ void order_free(Order *order)
     gp_free(order->faces);
     gp_free(order->knot_first);
     gp_free(order->knots);
-    gp_free(order->knot_most);
     *order = (Order){ .level_count = 0 };
 }

@@ -28,13 +28,11 @@ typedef struct Order {
     uint32_t *faces;      /* in the order of pieces */
     uint32_t *knot_first; /* [level_count + 1] of each level in knots */
     uint32_t *knots;      /* faces of knots */
-    uint32_t *knot_most;  /* [level_count] faces of its largest knot */
 
     /* for who wants to know */
     uint32_t sides;       /* of pieces that are drawn: near ones and far ones */
     uint32_t split_sides; /* taken apart into faces */
     uint32_t knot_count;
-    size_t relations; /* pairs of faces, one of which is in front */
 } Order;
 
 /* errors GP_ERROR_MEMORY */

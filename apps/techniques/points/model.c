@@ -112,14 +112,6 @@ static void write_cache(PointsModel *model)
 
 enum { DEFAULT_SIDE = 1024 };
 
-static float find_mean_radius(const Surfels *surfels)
-{
-    double sum = 0;
-    for (uint32_t i = 0; i < surfels->count; i++)
-        sum += (double)surfels->surfels[i].radius;
-    return (float)(sum / surfels->count);
-}
-
 static float mean_leaf_radius(const Patches *patches)
 {
     double sum = 0;
@@ -199,7 +191,7 @@ static GpResult find_points(const TechniqueInput *input, PointsModel *model, GpE
         return result;
     model->point_count = model->surfels.count;
     model->bounds = surfels_bounds(&model->surfels);
-    model->mean_radius = find_mean_radius(&model->surfels);
+    model->mean_radius = surfels_mean_radius(&model->surfels);
     return GP_OK;
 }
 
