@@ -239,7 +239,9 @@ static void try_vertices(Run *run, GpTrial *trial)
     run_vertices(run);
     trial->position_moves |= follows(run, run_vertices, others | position);
     /* a small step is lost where the uniforms are those of an eye at the end of a large model */
-    for (run->reach = 0x1p20f; !trial->position_moves && run->reach < 0x1p81f;
+    run->moved = 0;
+    run_vertices(run);
+    for (run->reach = 0x1p20f; !trial->position_moves && run->reach < 0x1p41f;
          run->reach *= 0x1p20f)
         trial->position_moves = follows(run, run_vertices, position);
     run->reach = 1;
