@@ -33,8 +33,9 @@ typedef struct Run {
     GpTrial *trial;
     GpShaderCounts *seen; /* of this shader */
     float level;
-    uint64_t moved;   /* components of the input that differ from the other runs */
-    float reach;      /* by how much they do, about */
+    uint64_t moved; /* components of the input that differ from the other runs */
+    uint64_t far;   /* of these, those that differ by so much */
+    float reach;
     uint64_t digest;  /* of all that the shader gave */
     uint64_t written; /* components written in all lanes */
     Packet packet;
@@ -118,7 +119,8 @@ static void fill_inputs(Run *run, int components)
     for (int c = 0; c < components; c++)
         for (int lane = 0; lane < lanes; lane++) {
             const float scale = 1 + (float)c / 8 + (float)lane / 64;
-            const float step = run->moved >> c & 1 ? run->reach * (0.75f + 0.25f * (float)lane) : 0;
+            const float reach = run->far >> c & 1 ? run->reach : 1;
+            const float step = run->moved >> c & 1 ? reach * (0.75f + 0.25f * (float)lane) : 0;
             run->packet.in[c * lanes + lane] = run->level * scale + step;
         }
 }
@@ -239,12 +241,14 @@ static void try_vertices(Run *run, GpTrial *trial)
     run_vertices(run);
     trial->position_moves |= follows(run, run_vertices, others | position);
     /* a small step is lost where the uniforms are those of an eye at the end of a large model */
-    run->moved = 0;
-    run_vertices(run);
+    run->far = position;
     for (run->reach = 0x1p20f; !trial->position_moves && run->reach < 0x1p41f;
-         run->reach *= 0x1p20f)
-        trial->position_moves = follows(run, run_vertices, position);
-    run->reach = 1;
+         run->reach *= 0x1p20f) {
+        run->moved = others;
+        run_vertices(run);
+        trial->position_moves = follows(run, run_vertices, others | position);
+    }
+    run->far = 0;
 }
 
 static void try_pixels(Run *run, GpTrial *trial)
@@ -283,9 +287,7 @@ GpTrial gp_program_trial(const GpProgram *program, const GpProgramCode *code, co
     GpTrial trial = { .writes_position = true };
     trial.vertex.outputs_written = low_bits(program->varying_components);
     trial.pixel.outputs_written = low_bits(program->color_components);
-    Run run = {
-        .program = program, .code = code, .uniforms = uniforms, .trial = &trial, .reach = 1
-    };
+    Run run = { .program = program, .code = code, .uniforms = uniforms, .trial = &trial };
     for (size_t i = 0; i < GP_COUNT(levels); i++) {
         run.level = levels[i];
         try_vertices(&run, &trial);

@@ -140,7 +140,8 @@ static void finish_corner(const GpGuardBand *band, const GpVertex *const triangl
 }
 
 /* Returns false where the polygon has more corners than a convex one: rounding may bend a triangle
- * without width, whose corners are of most different sizes, so that planes cut it in four places. */
+ * without width, whose corners are of most different sizes, so that planes cut it in four
+ * places. */
 static bool cut_polygon(const GpGuardBand *band, int plane, const GpClipPolygon *before,
                         GpClipPolygon *after)
 {

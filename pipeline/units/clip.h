@@ -44,8 +44,8 @@ GpGuardBand gp_guard_band(const GpViewport *viewport);
  * out  a convex polygon, same winding, starting at the first corner that is left
  * order planes near, far, left, right, bottom, top; a new corner is computed from the inside end of
  *      its edge to the outside end, so two triangles that share an edge share its cut
- * note a NaN in any position, or w <= 0 after clipping, leaves nothing (R10); nor does what rounding
- *      bends so that it would have more than GP_MAX_CLIPPED corners
+ * note a NaN in any position, or w <= 0 after clipping, leaves nothing (R10); nor does what
+ *      rounding bends so that it would have more than GP_MAX_CLIPPED corners
  * source Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17 (1974); OpenGL 4.6, section
  *      13.8.1, of what is linear on the screen; R3, R10 */
 void gp_clip_triangle(const GpGuardBand *band, const GpVertex *const triangle[3],

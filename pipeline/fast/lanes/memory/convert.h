@@ -26,15 +26,15 @@ GP_INLINE itg half_from_float(itg bits)
     return itg_select((itg)(size < 0x7f800000), finite | sign, special);
 }
 
-/* A NaN of other bits than are stored (R31). A caller's may be in a target, and stays as it is where
- * nothing is written. */
+/* A NaN of other bits than are stored (R31). A caller's may be in a target, and stays as it is
+ * where nothing is written. */
 GP_INLINE msk is_odd_nan(itg bits)
 {
     return (msk)((bits & 0x7fffffff) > 0x7f800000) & (msk)(bits != 0x7fc00000);
 }
 
-/* What a pixel holds as long as nothing is written to it that had such a NaN, where there is no room
- * for its bits. It signals: any arithmetic makes another of it. */
+/* What a pixel holds as long as nothing is written to it that had such a NaN, where there is no
+ * room for its bits. It signals: any arithmetic makes another of it. */
 enum { ODD_NAN = 0x7f800001 };
 
 /* Any NaN becomes the one that is stored (R31). */

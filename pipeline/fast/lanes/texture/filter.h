@@ -10,7 +10,8 @@
 /* Two 16-bit numbers in each lane. */
 typedef uint16_t halves __attribute__((vector_size(4 * GP_LANES)));
 
-/* The definition's mix: weights are 256ths, made parts of 1. Both products and the scaling are exact
+/* The definition's mix: weights are 256ths, made parts of 1. Both products and the scaling are
+ * exact
  * in binary64, so it does not matter that the weights are scaled before and not the sum after. */
 GP_INLINE flt lerp(flt a, flt b, itg weight)
 {
