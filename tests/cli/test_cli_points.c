@@ -179,6 +179,26 @@ static void coordinates_that_floats_cannot_hold_are_warned_of(void **state)
 }
 
 /* Discs that are larger than the box of their centres are seen whole. */
+/* Where the eye is so far away that small steps are lost. */
+static void models_may_be_as_large_as_floats(void **state)
+{
+    (void)state;
+    static const char *const sides[] = { "3", "3e9", "3e12" };
+    for (size_t i = 0; i < GP_COUNT(sides); i++) {
+        char file[400];
+        snprintf(file, sizeof file,
+                 "ply\nformat ascii 1.0\nelement vertex 3\n"
+                 "property float x\nproperty float y\nproperty float z\nelement face 1\n"
+                 "property list uchar int vertex_indices\nend_header\n"
+                 "0 0 0\n%s 0 0\n0 %s 0\n3 0 1 2\n",
+                 sides[i], sides[i]);
+        write_file("large.ply", file);
+        assert_int_equal(shell("glasspipe points large.ply -q --size 32x32 --measure"), 0);
+        expect_contains(out, ", 0 holes in");
+    }
+    assert_int_equal(unlink("large.ply") | unlink("large.png"), 0);
+}
+
 static void one_point_is_a_picture(void **state)
 {
     (void)state;
@@ -311,6 +331,7 @@ int main(void)
         PROGRAM_TEST(points_are_drawn_and_reported),
         PROGRAM_TEST(builtin_points_are_drawn),
         PROGRAM_TEST(coordinates_that_floats_cannot_hold_are_warned_of),
+        PROGRAM_TEST(models_may_be_as_large_as_floats),
         PROGRAM_TEST(one_point_is_a_picture),
         PROGRAM_TEST(a_cube_has_sharp_edges),
         PROGRAM_TEST(sharp_edges_need_no_method),

@@ -120,7 +120,7 @@ extern const GpProgram count_gradients, count_explicit_level, count_looping, cou
 /* A loop of 100 turns in model 3. */
 extern const GpProgram count_looping_3;
 /* So many instructions, each of which waits for the one before; of no profile. */
-enum { COUNT_CHAIN = 300000 };
+enum { COUNT_CHAIN = 10000 };
 extern const GpProgram count_chain;
 /* Vertex shaders: 257 slots; a saturated input; a texture; an implicit level; a written point size
  * and depth. */

@@ -4,6 +4,7 @@
 #include "tests/shaders/count.h"
 #include "tests/support/unit.h"
 
+#include <pthread.h>
 #include <stdio.h>
 
 #include "shaders_c/common/blit.h"
@@ -111,11 +112,26 @@ static void loops_are_counted_once(void **state)
     assert_accepted(&count_looping_3);
 }
 
-static void chains_may_be_as_long_as_a_shader(void **state)
+static void *check_chain(void *result)
+{
+    *(GpResult *)result = gp_program_check(&count_chain, NULL);
+    return NULL;
+}
+
+/* In a thread whose stack has no room for a call an instruction. */
+static void chains_need_no_stack(void **state)
 {
     (void)state;
     assert_int_equal(pixel_counts(&count_chain).arithmetic_slots, COUNT_CHAIN);
-    assert_accepted(&count_chain);
+    GpResult result = GP_ERROR_INVALID;
+    pthread_t thread;
+    pthread_attr_t attributes;
+    assert_int_equal(pthread_attr_init(&attributes), 0);
+    assert_int_equal(pthread_attr_setstacksize(&attributes, 512 << 10), 0);
+    assert_int_equal(pthread_create(&thread, &attributes, check_chain, &result), 0);
+    assert_int_equal(pthread_join(thread, NULL), 0);
+    assert_int_equal(pthread_attr_destroy(&attributes), 0);
+    assert_int_equal(result, GP_OK);
 }
 
 /* slots: phong_ps is nrm 3, sub 1, nrm 3, add 1, nrm 3, dp3 1, max 1, dp3 1, max 1, pow 3, mad 1,
@@ -477,7 +493,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(instructions_cost_what_table_a3_says),
         cmocka_unit_test(loops_are_counted_once),
-        cmocka_unit_test(chains_may_be_as_long_as_a_shader),
+        cmocka_unit_test(chains_need_no_stack),
         cmocka_unit_test(kills_are_texture_slots_and_dearer_in_model_3),
         cmocka_unit_test(phong_costs_what_it_does_by_hand),
         cmocka_unit_test(code_that_reaches_no_output_costs_nothing),
